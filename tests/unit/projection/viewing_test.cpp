@@ -119,16 +119,6 @@ TEST(Viewing, TheHandOfTheRowsIsSaid) {
   EXPECT_NEAR(glm::distance(glm::cross(report.right, report.up), -report.forward), 0, 1e-15);
 }
 
-TEST(Viewing, NothingChangesItsDistances) {
-  const DFrame frame = look_at(dvec3{3, 2, 5}, dvec3{0.5, 0.5, 0}, dvec3{0, 1, 0});
-  const dvec3 points[]{{0, 0, 0}, {1, 0, 0}, {0.25, 1.25, -0.15}, {-7, 3, 11}};
-  for (const dvec3 a : points) {
-    for (const dvec3 b : points) {
-      EXPECT_NEAR(glm::distance(to_view(frame, a), to_view(frame, b)), glm::distance(a, b), 1e-14);
-    }
-  }
-}
-
 TEST(Viewing, TheInverseIsThePoseOfTheCamera) {
   const glm::dmat4 back = view_to_world(along_x);
   EXPECT_EQ(back * world_to_view(along_x), glm::dmat4(1));

@@ -1,5 +1,6 @@
 // A block of three by three numbers, read as three points in rows and as three in columns.
 
+#include "stories/past.hpp"
 #include "stories/projection/viewing_drawing.hpp"
 
 namespace gradus::viewing {
@@ -9,22 +10,22 @@ using Block = std::vector<std::vector<double>>;
 struct ReadAsRows {};
 struct ReadAsColumns {};
 
-class BlockStory {
+class BlockStory : public Past<steps::Started, ReadAsRows, ReadAsColumns, steps::Finished> {
  public:
   BlockStory(const Words& words, const Block& block, const DFrame& frame)
       : words_(words), block_(block), frame_(frame) {}
 
-  void show(Board& board, const steps::Started&) { board.milestone(view(false, false)); }
   Event say(const steps::Started&) const { return {.text = "started_block"}; }
-
-  void show(Board& board, const ReadAsRows&) { board.milestone(view(true, false)); }
   Event say(const ReadAsRows&) const { return told("rows"); }
-
-  void show(Board& board, const ReadAsColumns&) { board.milestone(view(true, true)); }
   Event say(const ReadAsColumns&) const { return told("columns"); }
-
-  void show(Board& board, const steps::Finished&) { board.milestone(view(true, true)); }
   Event say(const steps::Finished&) const { return {.text = "done_block"}; }
+
+  View draw() const {
+    View view;
+    add_block(view, false, last<ReadAsRows>());
+    add_block(view, true, last<ReadAsColumns>());
+    return view;
+  }
 
  private:
   static constexpr double width = 4.4, height = 4.2, top = 19.6;
@@ -73,13 +74,6 @@ class BlockStory {
     view.add(
         {id + " seen", Role::input, Text{{at(1, 1, right).x, 5.2 - 1.9 * static_cast<double>(i)}, seen}});
   }
-  View view(bool rows, bool columns) const {
-    View view;
-    add_block(view, false, rows);
-    add_block(view, true, columns);
-    return view;
-  }
-
   const Words& words_;
   const Block& block_;
   const DFrame& frame_;
@@ -108,11 +102,10 @@ void tell_block(Narrator& narrator) {
   narrator.columns({{"read", false}, {"first", false}, {"second", false}, {"third", false}});
   const DFrame frame = scene.frame();
   BlockStory story(narrator.words(), block, frame);
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
-  watch(ReadAsRows{}, 0);
-  watch(ReadAsColumns{}, line_with(narrator, "block.size() == 3) {"));
-  watch(steps::Finished{}, 0);
+  narrator.tell_whole(story, [&](const auto& watch) {
+    watch(ReadAsRows{}, 0);
+    watch(ReadAsColumns{}, line_with(narrator, "block.size() == 3) {"));
+  });
   narrator.telling({2, 0});
   narrator.result({{"points", 3}});
 }

@@ -16,6 +16,8 @@ using DFrame = Frame<double>;
 void tell_block(Narrator& narrator);
 
 constexpr std::array<std::string_view, 3> axis_names{"right", "up", "forward"};
+constexpr std::array world_axes{std::pair{"x", dvec3{1, 0, 0}}, std::pair{"y", dvec3{0, 1, 0}},
+                                std::pair{"z", dvec3{0, 0, 1}}};
 
 /// What the reader calls the directions right, up and forward.
 inline std::string direction_name(const Words& words, int number) {
@@ -323,8 +325,7 @@ class Drawing {
   /// The directions of a world's axes.
   void add_tripod(View& view, const std::string& id, dvec2 origin, bool left_handed) const {
     constexpr double length = 2.6;
-    for (const auto& [name, way] :
-         {std::pair{"x", dvec3{1, 0, 0}}, {"y", dvec3{0, 1, 0}}, {"z", dvec3{0, 0, 1}}}) {
+    for (const auto& [name, way] : world_axes) {
       const dvec2 tip = origin + length * oblique(left_handed ? mirrored(way) : way);
       view.add({fmt::format("{} {}", id, name), Role::guide, Stroke{origin, tip, true}});
       view.add({fmt::format("{} {} name", id, name), Role::guide, Label{tip, words_.symbol(name)}});
@@ -456,8 +457,7 @@ class Drawing {
     view.add({std::move(id), Role::guide, Stroke{a, b, false, true}});
   }
   void add_world_axes(View& view, SpaceDrawing& space) const {
-    for (const auto& [name, way] :
-         {std::pair{"x", dvec3{1, 0, 0}}, {"y", dvec3{0, 1, 0}}, {"z", dvec3{0, 0, 1}}}) {
+    for (const auto& [name, way] : world_axes) {
       const dvec3 tip = axis_length() * way;
       space.add(SpaceEdge{
           .id = fmt::format("world {}", name), .role = Role::guide, .a = dvec3{0}, .b = tip, .arrow = true});

@@ -2,6 +2,7 @@
 
 #include "stories/checking.hpp"
 #include "stories/parameters.hpp"
+#include "stories/past.hpp"
 #include "stories/projection/viewing_drawing.hpp"
 
 namespace gradus::viewing {
@@ -40,7 +41,9 @@ struct RowMultiplied {
 struct Inverted {};
 
 /// Tells the frame, the matrix, and what it makes of the target.
-class Story {
+class Story
+    : public Past<Input, HintReplaced<double>, Aimed<double>, Levelled<double>, Framed<double>,
+                  RowWritten<double>, ColumnWritten<double>, RowMultiplied, Inverted, Viewed<double>> {
  public:
   Story(const Words& words, const Scene& scene, Way way)
       : words_(words),
@@ -54,7 +57,6 @@ class Story {
 
   const Drawing& drawing() const { return drawing_; }
 
-  void show(Board& board, const Input&) { milestone(board); }
   Event say(const Input&) const {
     if (way_ == Way::any_frame) {
       return {.text = "input_axes",
@@ -73,26 +75,21 @@ class Story {
             .begins = true};
   }
 
-  void show(Board& board, const HintReplaced<double>&) {
-    replaced_ = true;
-    milestone(board);
-  }
   Event say(const HintReplaced<double>& h) const {
     Event event = of_frame("hint_replaced", "hint", h.spare, {{"up", h.up_hint}, {"spare", h.spare}});
     event.decides = hint_along_the_view(true);
     return event;
   }
-  void show(Board& board, const Aimed<double>&) { learn_axis(board, 2); }
   Event say(const Aimed<double>& a) const {
     Event event = of_frame("aimed", "forward", a.forward,
                            {{"along", a.target - a.eye},
                             {"distance", scene_.distance},
                             {"f", direction(2)},
                             {"forward", neat(a.forward, 1)}});
-    if (scene_.along == Along::replaced && !replaced_) event.decides = hint_along_the_view(false);
+    if (scene_.along == Along::replaced && !last<HintReplaced<double>>())
+      event.decides = hint_along_the_view(false);
     return event;
   }
-  void show(Board& board, const Levelled<double>&) { learn_axis(board, 0); }
   Event say(const Levelled<double>& l) const {
     const dvec3 across = glm::cross(frame_.forward, l.up_hint);
     const double length = length_of(across);
@@ -103,19 +100,12 @@ class Story {
                      {"r", direction(0)},
                      {"right", neat(l.right, 1)}});
   }
-  void show(Board& board, const Framed<double>&) { learn_axis(board, 1); }
   Event say(const Framed<double>& f) const {
     return of_frame(
         "framed", "up", f.frame.up,
         {{"r", direction(0)}, {"u", direction(1)}, {"f", direction(2)}, {"up", neat(f.frame.up, 1)}});
   }
 
-  void show(Board& board, const RowWritten<double>& r) {
-    known_.newest = r.row;
-    ++known_.rows;
-    known_.seen = known_.rows == 3;
-    milestone(board);
-  }
   Event say(const RowWritten<double>& r) const {
     const dvec3 axis = in_notation(r.row, neat(r.axis, 1));
     // The sum of the products as they are shown
@@ -139,12 +129,6 @@ class Story {
     return event;
   }
 
-  void show(Board& board, const ColumnWritten<double>& c) {
-    known_.newest = c.column < 3 ? c.column : -1;
-    known_.rows = std::min(3, c.column + 1);
-    known_.seen = way_ != Way::any_frame && known_.rows == 3;
-    milestone(board);
-  }
   Event say(const ColumnWritten<double>& c) const {
     const bool eye = c.column == 3;
     const double size = way_ == Way::any_frame ? length_of(c.entries) : 1;
@@ -160,10 +144,6 @@ class Story {
     return event;
   }
 
-  void show(Board& board, const RowMultiplied&) {
-    known_.newest = -1;
-    milestone(board);
-  }
   Event say(const RowMultiplied& m) const {
     const glm::dmat4 product = right_ * m.inverse;
     const dvec3 axis = axis_of(frame_, m.row), column(m.inverse[m.row]);
@@ -183,10 +163,6 @@ class Story {
             .key = axis_id(m.row),
             .phase = words_.say("phase.check")};
   }
-  void show(Board& board, const Inverted&) {
-    known_.seen = true;
-    milestone(board);
-  }
   /// What the transposed matrix would give in place of the identity, where it is wrong most.
   Event say(const Inverted&) const {
     Event event{.text = "inverted_upright", .key = "product", .ends = true, .level = Level::step};
@@ -205,13 +181,7 @@ class Story {
     return event;
   }
 
-  /// The matrix is whole: what it makes of the target, then of the letter.
-  void show(Board& board, const Viewed<double>&) {
-    known_.newest = -1;
-    known_.rows = 3;
-    known_.seen = true;
-    milestone(board);
-  }
+  /// The matrix is whole: what it makes of the target.
   Event say(const Viewed<double>& v) const {
     const double size = length_of(scene_.eye) + length_of(scene_.target);
     if (way_ == Way::inverse) {
@@ -239,7 +209,37 @@ class Story {
             .level = Level::step};
   }
 
+  View draw() const {
+    const Drawing::Known known = this->known();
+    if (way_ == Way::any_frame) return drawing_.given_axes(known, frame_);
+    View view = drawing_.world(known, frame_);
+    if (faulty())
+      drawing_.add_view_space(view, known, wrong_, right_);
+    else
+      drawing_.add_picture(view, known, right_);
+    return view;
+  }
+
  private:
+  Drawing::Known known() const {
+    const bool whole = last<Viewed<double>>() || last<Inverted>();
+    const auto written = all<RowWritten<double>>().size() + all<ColumnWritten<double>>().size();
+    const int rows = whole ? 3 : std::min(3, static_cast<int>(written));
+    return {.axes = {last<Levelled<double>>() != nullptr, last<Framed<double>>() != nullptr,
+                     last<Aimed<double>>() != nullptr},
+            .newest = newest(),
+            .rows = rows,
+            .seen = whole || (way_ != Way::any_frame && rows == 3)};
+  }
+  /// The axis, row or column of the step at hand.
+  int newest() const {
+    if (now<Levelled<double>>()) return 0;
+    if (now<Framed<double>>()) return 1;
+    if (now<Aimed<double>>()) return 2;
+    if (const auto* row = now<RowWritten<double>>()) return row->row;
+    const auto* column = now<ColumnWritten<double>>();
+    return column && column->column < 3 ? column->column : -1;
+  }
   bool faulty() const { return way_ == Way::minus_position || way_ == Way::transposed; }
   /// Of a row or column of the matrix.
   std::string axis_name(int number) const {
@@ -273,21 +273,6 @@ class Story {
                                            {"det", glm::dot(axis_of(frame_, column), cross)}});
   }
 
-  void learn_axis(Board& board, int axis) {
-    known_.axes[static_cast<std::size_t>(axis)] = true;
-    known_.newest = axis;
-    milestone(board);
-  }
-  void milestone(Board& board) const {
-    View view = way_ == Way::any_frame ? drawing_.given_axes(known_, frame_) : drawing_.world(known_, frame_);
-    if (faulty()) {
-      drawing_.add_view_space(view, known_, wrong_, right_);
-    } else if (way_ != Way::any_frame) {
-      drawing_.add_picture(view, known_, right_);
-    }
-    board.milestone(std::move(view));
-  }
-
   const Words& words_;
   const Scene& scene_;
   const Way way_;
@@ -295,8 +280,6 @@ class Story {
   const DFrame frame_;   ///< where axes will be, so that nothing jumps
   const bool backward_;  ///< the third axis of the matrix is the reader's; exhibits have the code's
   const glm::dmat4 right_, wrong_;
-  Drawing::Known known_;
-  bool replaced_ = false;
 };
 
 // --- The methods
