@@ -6,6 +6,10 @@
 
 namespace gradus::texture_mapping {
 
+inline Path rectangle(dvec2 corner, dvec2 size) {
+  return {{corner, corner + dvec2{size.x, 0}, corner + size, corner + dvec2{0, size.y}}, true};
+}
+
 /// Cells of the drawing are pixels; a texel has several of them.
 class Paper {
  public:
@@ -117,9 +121,6 @@ class Paper {
   }
 
  private:
-  static Path rectangle(dvec2 corner, dvec2 size) {
-    return {{corner, corner + dvec2{size.x, 0}, corner + size, corner + dvec2{0, size.y}}, true};
-  }
   /// So many times the height of a line, in cells.
   int many(int lines) const { return static_cast<int>(std::ceil(lines * unit_)); }
   /// The cell of pixel (0, 0).
@@ -127,21 +128,10 @@ class Paper {
   dvec2 on_paper(dvec2 place) const { return dvec2(origin()) + place - 0.5; }
   /// What of a line between places of the picture lies in the picture.
   void put_side(View& view, const std::string& id, Stroke side) const {
-    double first = 0, last = 1;
-    const dvec2 way = side.b - side.a, size(subject_.size);
-    for (const int axis : {0, 1}) {
-      const double to_low = -side.a[axis] / way[axis], to_high = (size[axis] - side.a[axis]) / way[axis];
-      if (way[axis] == 0) {
-        if (side.a[axis] < 0 || side.a[axis] > size[axis]) return;
-        continue;
-      }
-      first = std::max(first, std::min(to_low, to_high));
-      last = std::min(last, std::max(to_low, to_high));
-    }
-    if (!(first < last)) return;
-    const dvec2 from = side.a;
-    side.a = on_paper(from + first * way);
-    side.b = on_paper(from + last * way);
+    const auto part = shown_part({{0, 0}, dvec2(subject_.size)}, side.a, side.b);
+    if (!part) return;
+    side.a = on_paper(part->a);
+    side.b = on_paper(part->b);
     view.add({id, Role::input, side});
   }
   static dvec2 one_tile(dvec2 uv) {

@@ -1,19 +1,14 @@
 #pragma once
 // Pictures side by side: the levels of a texture, and the same quad through three filters.
 
-#include "stories/paper.hpp"
+#include "stories/past.hpp"
 #include "stories/picture_shelf.hpp"
-#include "stories/shading/texture_mapping_subject.hpp"
+#include "stories/shading/texture_mapping_paper.hpp"
 
 namespace gradus::texture_mapping {
 
-/// A level is done.
-struct LevelBuilt {
-  int level;
-};
-
 /// The levels beside each other, each texel made of those before it.
-class ChainStory {
+class ChainStory : public Past<steps::Started, Averaged<double>, steps::Finished> {
  public:
   ChainStory(const Words& words, const Subject& subject) : words_(words), subject_(subject) {}
 
@@ -22,51 +17,49 @@ class ChainStory {
     return {{0, 0}, {corner(last).x + std::max(side_of(last), 2), subject_.texels * scale() + heading}};
   }
 
-  /// The first texel of level 2, where three levels stand beside each other.
-  StepNumber telling() const { return {telling_, 0}; }
-
-  void show(Board& board, const steps::Started&) {
-    put_level(0);
-    board.milestone(base_);
+  /// The first texel of level 2, where three levels stand beside each other; without it one of level 1.
+  double tells(const Averaged<double>& a) const {
+    if (a.level == 1) return a.texel == ivec2(1, 0) ? 1 : 0;
+    return a.level == 2 && a.texel == ivec2(0) ? 2 : 0;
   }
+
   Event say(const steps::Started&) const {
     return {.text = "chain.started",
             .words = {{"size", subject_.size_text()}},
             .count = levels_of(subject_.texture.size)};
   }
-  void show(Board& board, const Averaged<double>& a) {
-    const ivec2 from = size_of_level(subject_.texture.size, a.level - 1);
-    const int side = scale_of(a.level), before = scale_of(a.level - 1);
-    put_texel(a.level, a.texel, a.colour);
-    put_name(a.level);
-    View view = base_;
-    view.add({"t texel", Role::current, square(corner(a.level) + a.texel * side, ivec2(side))});
-    const Covered x = covered(a.texel.x, from.x), y = covered(a.texel.y, from.y);
-    const ivec2 many(count(x), count(y));
-    const ivec2 first = corner(a.level - 1) + ivec2(x.first, y.first) * before;
-    view.add({"c covered", Role::candidate, square(first, many * before)});
-    many_ = many.x * many.y;
-    board.milestone(std::move(view));
-    ++milestones_;
-    if (a.level <= 2 && a.texel == ivec2(a.level == 1 ? 1 : 0, 0)) telling_ = milestones_;
-  }
   Event say(const Averaged<double>& a) const {
+    const Path covered = covered_by(a);
+    const ivec2 texels = ivec2(covered.points[2] - covered.points[0]) / scale();
+    const int many = texels.x * texels.y;
     return {.text = "chain.averaged",
             .facts = {{"level", a.level}, {"texel", a.texel}, {"colour", a.colour}},
-            .words = {{"level", a.level},
-                      {"texel", a.texel},
-                      {"before", a.level - 1},
-                      {"many", many_},
-                      {"I", a.colour}},
-            .row = {a.level, texel_name(a.texel), many_, a.colour},
+            .words = {{"before", a.level - 1}, {"many", many}, {"I", a.colour}},
+            .row = {a.level, texel_name(a.texel), many, a.colour},
             .key = fmt::format("{}: {},{}", a.level, a.texel.x, a.texel.y),
             .phase = fmt::format("level {}", a.level)};
   }
-  void show(Board& board, const steps::Finished&) { board.milestone(base_); }
   Event say(const steps::Finished&) const {
     const std::size_t all = subject_.levels.size(), own = begin_of_level(subject_.texture.size, 1);
     return {.text = "chain.finished",
             .words = {{"own", own}, {"more", all - own}, {"mean", subject_.levels.back()}}};
+  }
+
+  View draw() const {
+    View view;
+    for (int y = 0; y < subject_.texels; ++y) {
+      for (int x = 0; x < subject_.texels; ++x) add_texel(view, 0, {x, y}, subject_.texel({x, y}));
+    }
+    add_name(view, 0);
+    for (const Averaged<double>& a : all<Averaged<double>>()) {
+      add_texel(view, a.level, a.texel, a.colour);
+      add_name(view, a.level);
+    }
+    if (const auto* a = now<Averaged<double>>()) {
+      view.add({"t texel", Role::current, square(corner(a->level) + a->texel * scale(), ivec2(scale()))});
+      view.add({"c covered", Role::candidate, covered_by(*a)});
+    }
+    return view;
   }
 
  private:
@@ -75,45 +68,38 @@ class ChainStory {
   static int count(const Covered& c) {
     return static_cast<int>(std::ranges::count_if(c.parts, [](int part) { return part > 0; }));
   }
-  static Path square(ivec2 at, ivec2 size) {
-    const dvec2 a = dvec2(at) - 0.5, s(size);
-    return {{a, a + dvec2{s.x, 0}, a + s, a + dvec2{0, s.y}}, true};
+  static Path square(ivec2 at, ivec2 size) { return rectangle(dvec2(at) - 0.5, dvec2(size)); }
+  /// The texels of the level before that a texel is the mean of.
+  Path covered_by(const Averaged<double>& a) const {
+    const ivec2 from = size_of_level(subject_.texture.size, a.level - 1);
+    const Covered x = covered(a.texel.x, from.x), y = covered(a.texel.y, from.y);
+    const ivec2 first = corner(a.level - 1) + ivec2(x.first, y.first) * scale();
+    return square(first, ivec2(count(x), count(y)) * scale());
   }
   /// Cells to a texel of level 0; all levels have texels that keep their size.
   int scale() const { return std::max(1, 16 / subject_.texels); }
-  int scale_of(int) const { return scale(); }
-  int side_of(int level) const { return size_of_level(subject_.texture.size, level).x * scale_of(level); }
+  int side_of(int level) const { return size_of_level(subject_.texture.size, level).x * scale(); }
   ivec2 corner(int level) const {
     int x = 0;
     for (int k = 0; k < level; ++k) x += std::max(side_of(k), 3) + gap;
     return {x, heading};
   }
-  void put_texel(int level, ivec2 texel, double grey) {
-    const int side = scale_of(level);
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x) {
-        const ivec2 at = corner(level) + texel * side + ivec2{x, y};
-        base_.cells.insert_or_assign({at.y, at.x}, CellLook{Role::result, "", tone_of(grey)});
+  void add_texel(View& view, int level, ivec2 texel, double grey) const {
+    for (int y = 0; y < scale(); ++y) {
+      for (int x = 0; x < scale(); ++x) {
+        const ivec2 at = corner(level) + texel * scale() + ivec2{x, y};
+        view.cells.insert_or_assign({at.y, at.x}, CellLook{Role::result, "", tone_of(grey)});
       }
     }
   }
-  void put_name(int level) {
+  void add_name(View& view, int level) const {
     const dvec2 at = dvec2(corner(level)) + dvec2{0.5 * side_of(level) - 0.5, -1.2};
-    base_.add({fmt::format("a name {}", level), Role::guide,
-               Text{at, level == 0 ? words_.say("level", {{"k", 0}}) : fmt::format("{}", level)}});
-  }
-  void put_level(int level) {
-    put_name(level);
-    for (int y = 0; y < subject_.texels; ++y) {
-      for (int x = 0; x < subject_.texels; ++x) put_texel(level, {x, y}, subject_.texel({x, y}));
-    }
+    view.add({fmt::format("a name {}", level), Role::guide,
+              Text{at, level == 0 ? words_.say("level", {{"k", 0}}) : fmt::format("{}", level)}});
   }
 
   const Words& words_;
   const Subject& subject_;
-  View base_{};
-  int many_ = 4;
-  std::int64_t milestones_ = 0, telling_ = 0;
 };
 
 inline void tell_mip_chain(Narrator& narrator) {
@@ -124,12 +110,11 @@ inline void tell_mip_chain(Narrator& narrator) {
   narrator.subtitle("chain.subtitle", {{"size", subject.size_text()}});
   narrator.columns({{"level"}, {"texel", false}, {"covered"}, {"I"}});
   narrator.legend({{Role::current, "new"}, {Role::candidate, "covered"}});
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
+  narrator.telling({0, 0});  // of one texel
   std::vector<double> chain(texels_of_chain(subject.texture.size));
-  build_mip_chain(subject.texture.size, subject.look_up(), std::span(chain), only<Averaged<double>>(watch));
-  watch(steps::Finished{}, 0);
-  narrator.telling(story.telling());
+  narrator.tell_whole(story, [&](const auto& watch) {
+    build_mip_chain(subject.texture.size, subject.look_up(), std::span(chain), only<Averaged<double>>(watch));
+  });
   narrator.result({{"texels", std::ssize(chain)}, {"mean", chain.back()}});
 }
 

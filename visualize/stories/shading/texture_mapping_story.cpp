@@ -14,17 +14,20 @@ namespace {
 
 constexpr auto drop = [](ivec2, dvec2, const auto&) {};
 
+/// What is told: places that are right, those of the exhibit, or what a filter takes there.
+enum class Way { mapped, bent, filtered };
+
 /// What all methods tell: the picture grows on the left, what a pixel asks the texture for is on the right.
 class Story {
  public:
-  Story(const Words& words, const Subject& subject, const Paper& paper)
-      : words_(words), subject_(subject), paper_(paper) {}
+  Story(const Words& words, const Subject& subject, const Paper& paper, Way way)
+      : words_(words),
+        subject_(subject),
+        paper_(paper),
+        bent_(way == Way::bent),
+        filters_(way == Way::filtered) {}
 
-  std::optional<StepNumber> telling() const { return telling_; }
   const Picture& picture() const { return picture_; }
-  /// The steps' table tells u and v alone, not what is linear in the picture.
-  void filters() { filters_ = true; }
-  void bends() { bent_ = true; }
   /// The pixel whose colour is looked up next.
   void stand_at(const Place& place) { at_ = place; }
   /// The second triangle begins: its pixels tell most, as they stand in a picture that is half done.
@@ -33,7 +36,7 @@ class Story {
   void show(Board& board, const steps::Started&) {
     paper_.put_frames(base_, words_);
     paper_.put_level(base_, 0);
-    next(board, base_);
+    board.milestone(base_);
   }
   Event say(const steps::Started&) const {
     return {.text = "started",
@@ -51,8 +54,8 @@ class Story {
     paper_.mark_texel(view, texel);
     paper_.mark_sample(view, m.uv);
     if (subject_.nearest_texel(other_place()) != texel) paper_.mark_other(view, other_place());
-    next(board, std::move(view));
-    want(std::abs(m.uv.x - other_place().x) + std::abs(m.uv.y - other_place().y));
+    board.milestone(std::move(view));
+    tells(board, std::abs(m.uv.x - other_place().x) + std::abs(m.uv.y - other_place().y));
   }
   Event say(const Place& m) const {
     const ivec2 texel = subject_.nearest_texel(m.uv), other = subject_.nearest_texel(other_place());
@@ -60,12 +63,10 @@ class Story {
                         : other != texel ? "mapped.off"
                                          : "mapped",
                 .facts = {{"pixel", m.pixel}, {"u", m.uv.x}, {"v", m.uv.y}, {"texel", texel}},
-                .words = {{"pixel", m.pixel},
-                          {"q", m.linear.x},
+                .words = {{"q", m.linear.x},
                           {"uq", m.linear.y},
                           {"vq", m.linear.z},
                           {"place", m.uv},
-                          {"texel", texel},
                           {"other", other},
                           {"right", figure_place(other_place())}},
                 .row = {m.pixel.x, m.pixel.y, m.linear.x, m.linear.y, m.linear.z, m.uv.x, m.uv.y, here()},
@@ -85,14 +86,13 @@ class Story {
     View view = coloured(p.colour);
     paper_.mark_texel(view, p.texel);
     paper_.mark_sample(view, p.uv);
-    next(board, std::move(view));
-    want_middle();
+    board.milestone(std::move(view));
+    tells_of_middle(board);
   }
   Event say(const Picked<double>& p) const {
     return {.text = "picked",
             .facts = {{"pixel", at_.pixel}, {"texel", p.texel}, {"colour", p.colour}},
-            .words = {{"pixel", at_.pixel},
-                      {"u", p.uv.x},
+            .words = {{"u", p.uv.x},
                       {"v", p.uv.y},
                       {"across", p.uv.x * subject_.texels},
                       {"up", p.uv.y * subject_.texels},
@@ -109,17 +109,14 @@ class Story {
     if (mip_) return show_in_level(board, b);
     View view = coloured(b.colour);
     mark_four(view, b, 0);
-    next(board, std::move(view));
-    want_middle();
+    board.milestone(std::move(view));
+    tells_of_middle(board);
   }
   Event say(const Blended<double>& b) const {
     const std::array<double, 4> w = weights(b.parts);
     Event event{.text = mip_ ? "blended.level" : "blended",
                 .facts = {{"pixel", at_.pixel}, {"s", b.parts.x}, {"t", b.parts.y}, {"colour", b.colour}},
-                .words = {{"pixel", at_.pixel},
-                          {"level", shown_level_},
-                          {"s", b.parts.x},
-                          {"t", b.parts.y},
+                .words = {{"level", shown_level_},
                           {"w0", w[0]},
                           {"w1", w[1]},
                           {"w2", w[2]},
@@ -146,9 +143,9 @@ class Story {
     paper_.mark_pixel(view, at_.pixel);
     paper_.mark_sample(view, at_.uv);
     paper_.mark_footprint(view, at_.uv, c.footprint);
-    next(board, std::move(view));
+    board.milestone(std::move(view));
     if (c.level.lower >= 1 && c.level.part > 0 && at_.pixel.x >= subject_.size.x / 2 - 1)
-      want(c.level.lower == 1 ? 2 : 1);
+      tells(board, c.level.lower == 1 ? 2 : 1);
   }
   Event say(const LevelChosen& c) const {
     const int levels = subject_.chain().levels();
@@ -160,10 +157,7 @@ class Story {
                 : c.level.part == 0 ? "level.one"
                                     : "level.between",
         .facts = {{"pixel", at_.pixel}, {"length", c.length}, {"level", c.level.lower}},
-        .words = {{"pixel", at_.pixel},
-                  {"length", c.length},
-                  {"level", c.level.lower},
-                  {"coarser", c.level.lower + 1},
+        .words = {{"coarser", c.level.lower + 1},
                   {"wide", 1 << c.level.lower},
                   {"wider", 2 << c.level.lower},
                   {"part", c.level.part}},
@@ -174,13 +168,11 @@ class Story {
                             static_cast<std::size_t>(c.level.lower), magnified ? "magnified" : "minified"}};
   }
 
-  void show(Board& board, const LevelsMixed<double>& m) { detail(board, coloured(m.colour)); }
+  void show(Board& board, const LevelsMixed<double>& m) { board.detail(coloured(m.colour)); }
   Event say(const LevelsMixed<double>& m) const {
     return {.text = "mixed",
             .facts = {{"pixel", at_.pixel}, {"part", m.level.part}, {"colour", m.colour}},
-            .words = {{"pixel", at_.pixel},
-                      {"part", m.level.part},
-                      {"rest", 1 - m.level.part},
+            .words = {{"rest", 1 - m.level.part},
                       {"part_", m.level.part},
                       {"rest_", 1 - m.level.part},
                       {"finer", m.finer},
@@ -196,27 +188,17 @@ class Story {
   void show(Board& board, const steps::Finished&) {
     if (mip_) paper_.put_level(base_, 0);
     if (!filters_) paper_.put_diagonal(base_, bent_);
-    next(board, base_);
-    if (bent_) telling_ = {milestones_, 0};
+    board.milestone(base_);
+    if (bent_) board.tells(std::numeric_limits<double>::infinity());
   }
   Event say(const steps::Finished&) const {
     return {.text = filters_ ? "finished"
                     : bent_  ? "finished.bent"
                              : "finished.mapped",
-            .facts = {{"pixels", std::ssize(picture_)}},
-            .words = {{"pixels", picture_.size()}}};
+            .facts = {{"pixels", std::ssize(picture_)}}};
   }
 
  private:
-  void next(Board& board, View view) {
-    board.milestone(std::move(view));
-    ++milestones_;
-    fine_ = 0;
-  }
-  void detail(Board& board, View view) {
-    board.detail(std::move(view));
-    ++fine_;
-  }
   /// The drawing with the pixel's colour.
   View coloured(double grey) {
     picture_[{at_.pixel.x, at_.pixel.y}] = grey;
@@ -225,27 +207,17 @@ class Story {
     paper_.mark_pixel(view, at_.pixel);
     return view;
   }
-  void want(double how_much) {
-    if (!half_done_ || how_much <= wanted_) return;
-    wanted_ = how_much;
-    telling_ = {milestones_, fine_};
+  void tells(Board& board, double how_much) const {
+    if (half_done_) board.tells(how_much);
   }
   /// The pixel in the middle of the picture tells as much as any.
-  void want_middle() { want(1 / (1 + glm::length(dvec2(at_.pixel) + 0.5 - 0.5 * dvec2(subject_.size)))); }
+  void tells_of_middle(Board& board) const {
+    tells(board, 1 / (1 + glm::length(dvec2(at_.pixel) + 0.5 - 0.5 * dvec2(subject_.size))));
+  }
 
   double here() const { return picture_.at({at_.pixel.x, at_.pixel.y}); }
-  double least_w() const {
-    return extreme([](double a, double b) { return std::min(a, b); });
-  }
-  double most_w() const {
-    return extreme([](double a, double b) { return std::max(a, b); });
-  }
-  template <class Better>
-  double extreme(const Better& better) const {
-    double w = subject_.corners[0].z;
-    for (const dvec3 c : subject_.corners) w = better(w, c.z);
-    return w;
-  }
+  double least_w() const { return std::ranges::min(subject_.corners, {}, &dvec3::z).z; }
+  double most_w() const { return std::ranges::max(subject_.corners, {}, &dvec3::z).z; }
   /// Where the other way would look: linear in the picture for the right one, on the surface for the exhibit.
   dvec2 other_place() const {
     dvec2 found = at_.uv;
@@ -285,22 +257,19 @@ class Story {
     paper_.put_level(base_, shown_level_);
     View view = coloured(b.colour);
     mark_four(view, b, shown_level_);
-    detail(board, std::move(view));
+    board.detail(std::move(view));
   }
 
   const Words& words_;
   const Subject& subject_;
   const Paper& paper_;
+  const bool bent_, filters_;  ///< filters' table tells u and v alone, not what is linear in the picture
   Place at_{};
-  bool bent_ = false, filters_ = false, half_done_ = false;
+  bool half_done_ = false;
   std::optional<LevelChosen> mip_{};
   int blended_ = 0, shown_level_ = 0;
   View base_{};  ///< what stays
   Picture picture_{};
-  std::int64_t milestones_ = -1;
-  int fine_ = 0;
-  double wanted_ = 0;
-  std::optional<StepNumber> telling_{};
 };
 
 // --- The methods
@@ -310,14 +279,12 @@ template <class Run>
 void tell_mapping(Narrator& narrator, const Subject& subject, Story& story, const Run& run) {
   narrator.subtitle("subtitle",
                     {{"size", subject.size_text()}, {"columns", subject.size.x}, {"rows", subject.size.y}});
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
-  each_place(subject, [&](const Triangle& triangle, const Corners<double>& corners) {
-    run(watch, triangle, corners);
-    story.half_done();
+  narrator.tell_whole(story, [&](const auto& watch) {
+    each_place(subject, [&](const Triangle& triangle, const Corners<double>& corners) {
+      run(watch, triangle, corners);
+      story.half_done();
+    });
   });
-  watch(steps::Finished{}, 0);
-  if (story.telling()) narrator.telling(*story.telling());
   double sum = 0;
   for (const auto& [at, grey] : story.picture()) sum += grey;
   narrator.result({{"pixels", std::ssize(story.picture())}, {"light", sum}});
@@ -329,7 +296,7 @@ void tell_perspective_correct(Narrator& narrator) {
   paper.set(narrator);
   narrator.columns({{"x"}, {"y"}, {"q"}, {"uq"}, {"vq"}, {"u"}, {"v"}, {"I"}});
   narrator.legend({{Role::current, "current"}, {Role::accepted, "texel"}, {Role::rejected, "linear"}});
-  Story story(narrator.words(), subject, paper);
+  Story story(narrator.words(), subject, paper, Way::mapped);
   tell_mapping(narrator, subject, story, [&](const auto& watch, const auto& triangle, const auto& corners) {
     perspective_correct(triangle, corners, subject.picture(), drop, only<Place>(watch));
   });
@@ -344,8 +311,7 @@ void tell_affine(Narrator& narrator) {
                    {Role::accepted, "texel"},
                    {Role::rejected, "surface"},
                    {Role::measure, "diagonal"}});
-  Story story(narrator.words(), subject, paper);
-  story.bends();
+  Story story(narrator.words(), subject, paper, Way::bent);
   tell_mapping(narrator, subject, story, [&](const auto& watch, const auto& triangle, const auto& corners) {
     affine(triangle, corners, subject.picture(), drop, only<Place>(watch));
   });
@@ -355,8 +321,7 @@ void tell_affine(Narrator& narrator) {
 template <class Filter>
 void tell_filter(Narrator& narrator, const Subject& subject, const Paper& paper, const Filter& filter) {
   paper.set(narrator);
-  Story story(narrator.words(), subject, paper);
-  story.filters();
+  Story story(narrator.words(), subject, paper, Way::filtered);
   tell_mapping(narrator, subject, story, [&](const auto& watch, const auto& triangle, const auto& corners) {
     const auto stand = [&]<class Step>(const Step& step) {
       if constexpr (std::same_as<Step, Place>) story.stand_at(step);
