@@ -148,7 +148,7 @@ class ListStory {
                 .facts = {{"used", static_cast<std::int64_t>(f.used)},
                           {"listed", static_cast<std::int64_t>(f.listed)},
                           {"left", f.left}},
-                .words = {{"shares", shares}, {"left", f.left}, {"unused", f.listed - f.used}}};
+                .words = {{"shares", shares}, {"unused", f.listed - f.used}}};
     if (shares.empty()) event.text = "finished.empty";
     return event;
   }
@@ -209,7 +209,7 @@ class ListStory {
       shares += fmt::format("{}{} {}", shares.empty() ? "" : ", ", name, figure_real(weight));
     return {.text = total > 1 ? "divided.hidden" : "divided",
             .facts = {{"total", total}},
-            .words = {{"total", total}, {"shares", shares}},
+            .words = {{"shares", shares}},
             .ends = true,
             .decides = yes_or_no(words_, "question.divided", {}, total == 1, "whole", "divided")};
   }

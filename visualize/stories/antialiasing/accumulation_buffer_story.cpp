@@ -40,11 +40,7 @@ class Story {
     const auto sum = static_cast<std::int64_t>(this->sum());
     return {.text = value > 0 ? "added.in" : "added.out",
             .facts = {{"pass", p.pass + 1}, {"place", figure_place(p.place)}, {"value", value}, {"sum", sum}},
-            .words = {{"pass", p.pass + 1},
-                      {"place", p.place},
-                      {"pixel", subject_.pixel},
-                      {"before", sum - 1},
-                      {"sum", sum}},
+            .words = {{"place", p.place}, {"pixel", subject_.pixel}, {"before", sum - 1}},
             .row = {p.pass + 1, p.place.x, p.place.y, value, sum,
                     static_cast<double>(sum) / static_cast<double>(p.pass + 1)},
             .key = fmt::format("pass {}", p.pass + 1),
@@ -62,9 +58,7 @@ class Story {
     return {.text = "averaged",
             .facts = {{"passes", a.passes}, {"mean", mean}, {"area", subject_.area()}},
             .words = {{"pixel", subject_.pixel},
-                      {"sum", static_cast<std::int64_t>(std::llround(mean * static_cast<double>(a.passes)))},
-                      {"mean", mean},
-                      {"area", subject_.area()}},
+                      {"sum", static_cast<std::int64_t>(std::llround(mean * static_cast<double>(a.passes)))}},
             .count = a.passes,
             .key = "mean",
             .ends = true};

@@ -52,12 +52,7 @@ class GreysStory {
                         : sum < 256 ? "bytes.fits"
                                     : "bytes.wraps",
                 .facts = {{"pass", p.pass + 1}, {"held", held_}, {"right", total()}},
-                .words = {{"pass", p.pass + 1},
-                          {"before", before_},
-                          {"value", wedge_.lightest},
-                          {"sum", sum},
-                          {"byte", held_},
-                          {"right", total()}},
+                .words = {{"before", before_}, {"value", wedge_.lightest}, {"sum", sum}, {"byte", held_}},
                 .row = {p.pass + 1, wedge_.lightest, held_, total()},
                 .key = fmt::format("pass {}", p.pass + 1),
                 .phase = words_.say("phase.passes")};
@@ -71,18 +66,14 @@ class GreysStory {
   }
   Event say(const Averaged& a) const {
     const std::int64_t shown = at(Wedge::pixels - 1);
-    return {.text = wide                       ? "wide.averaged"
-                    : shown == wedge_.lightest ? "bytes.right"
-                                               : "bytes.wrong",
-            .facts = {{"passes", a.passes}, {"shown", shown}, {"right", wedge_.lightest}},
-            .words = {{"byte", held_},
-                      {"passes", a.passes},
-                      {"shown", shown},
-                      {"value", wedge_.lightest},
-                      {"total", total()},
-                      {"most", 255 / a.passes}},
-            .key = "mean",
-            .ends = true};
+    return {
+        .text = wide                       ? "wide.averaged"
+                : shown == wedge_.lightest ? "bytes.right"
+                                           : "bytes.wrong",
+        .facts = {{"passes", a.passes}, {"shown", shown}, {"right", wedge_.lightest}},
+        .words = {{"byte", held_}, {"value", wedge_.lightest}, {"total", total()}, {"most", 255 / a.passes}},
+        .key = "mean",
+        .ends = true};
   }
 
  private:

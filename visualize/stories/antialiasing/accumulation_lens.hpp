@@ -56,7 +56,7 @@ class LensStory {
   Event say(const Started& s) const {
     return {.text = "lens.started",
             .facts = {{"passes", s.passes}, {"focus", stage_.lens.focus}},
-            .words = {{"radius", stage_.lens.radius}, {"focus", stage_.lens.focus}},
+            .words = {{"radius", stage_.lens.radius}},
             .count = s.passes,
             .key = "started"};
   }
@@ -72,11 +72,7 @@ class LensStory {
     const auto y = [&](std::size_t lamp) { return noiseless(stage_.on_focus(lamp, e.eye).y); };
     return {.text = "lens.added",
             .facts = {{"pass", e.pass + 1}, {"near", y(0)}, {"middle", y(1)}, {"far", y(2)}},
-            .words = {{"pass", e.pass + 1},
-                      {"eye", noiseless(e.eye.y)},
-                      {"near", y(0)},
-                      {"middle", y(1)},
-                      {"far", y(2)},
+            .words = {{"eye", noiseless(e.eye.y)},
                       {"near_0", noiseless(stage_.on_focus(0, {0, 0}).y)},
                       {"far_0", noiseless(stage_.on_focus(2, {0, 0}).y)}},
             .row = {e.pass + 1, noiseless(e.eye.x), noiseless(e.eye.y), y(0), y(1), y(2)},
@@ -97,11 +93,7 @@ class LensStory {
     };
     return {.text = "lens.averaged",
             .facts = {{"near", width(0)}, {"middle", width(1)}, {"far", width(2)}},
-            .words = {{"focus", f},
-                      {"aperture", 2 * stage_.lens.radius},
-                      {"near", width(0)},
-                      {"middle", width(1)},
-                      {"far", width(2)}},
+            .words = {{"focus", f}, {"aperture", 2 * stage_.lens.radius}},
             .count = a.passes,
             .key = "mean",
             .ends = true};

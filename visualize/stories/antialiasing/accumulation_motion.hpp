@@ -64,11 +64,7 @@ class MotionStory {
     const double sum = sums_.at(Flight::watched);
     return {.text = value_ > 0 ? "motion.in" : "motion.out",
             .facts = {{"pass", m.pass + 1}, {"t", m.moment}, {"sum", sum}},
-            .words = {{"pass", m.pass + 1},
-                      {"t", m.moment},
-                      {"x", flight_.middle(m.moment).x},
-                      {"pixel", Flight::watched},
-                      {"sum", sum}},
+            .words = {{"x", flight_.middle(m.moment).x}, {"pixel", Flight::watched}},
             .row = {m.pass + 1, m.moment, flight_.middle(m.moment).x, value_, sum,
                     sum / static_cast<double>(m.pass + 1)},
             .key = fmt::format("pass {}", m.pass + 1),
@@ -85,10 +81,7 @@ class MotionStory {
     const double mean = sums_.at(Flight::watched);
     return {.text = "motion.averaged",
             .facts = {{"passes", a.passes}, {"mean", mean}, {"way", flight_.way()}},
-            .words = {{"pixel", Flight::watched},
-                      {"mean", mean},
-                      {"speed", flight_.speed},
-                      {"shutter", flight_.shutter}},
+            .words = {{"pixel", Flight::watched}, {"speed", flight_.speed}, {"shutter", flight_.shutter}},
             .count = a.passes,
             .key = "mean",
             .ends = true};

@@ -50,7 +50,6 @@ class Story {
     return {.text = "crossed",
             .facts = {{"pixel", c.pixel}, {"triangle", c.triangle}, {"crossed", true}},
             .words = {{"face", subject_.name(c.triangle)},
-                      {"pixel", c.pixel},
                       {"least", square_pixels(range.least)},
                       {"most", square_pixels(range.most)},
                       {"samples", subject_.count}},
@@ -82,7 +81,6 @@ class Story {
                                                  : "whole.behind",
             .facts = {{"pixel", c.pixel}, {"triangle", c.triangle}, {"crossed", c.order == Order::changing}},
             .words = {{"face", subject_.name(c.triangle)},
-                      {"pixel", c.pixel},
                       {"other", first ? "" : subject_.name(c.before)},
                       {"samples", subject_.count}},
             .row = {subject_.name(c.triangle), c.pixel.x, c.pixel.y, "–", "–",
@@ -124,7 +122,6 @@ class Story {
                       {"covered", s.covered},
                       {"nearer", s.nearer}},
             .words = {{"face", subject_.name(s.triangle)},
-                      {"sample", s.sample + 1},
                       {"z", s.depth},
                       {"old", old_},
                       {"other", taken ? subject_.name(s.before) : ""}},
@@ -165,11 +162,7 @@ class Story {
                 : centre                    ? "coloured.centre"
                                             : "coloured.aside",
         .facts = {{"pixel", c.pixel}, {"triangle", c.triangle}, {"samples", c.samples}, {"share", c.share}},
-        .words = {{"face", subject_.name(c.triangle)},
-                  {"pixel", c.pixel},
-                  {"shown", c.samples},
-                  {"samples", subject_.count},
-                  {"share", c.share}},
+        .words = {{"face", subject_.name(c.triangle)}, {"shown", c.samples}, {"samples", subject_.count}},
         .row = {subject_.name(c.triangle), c.pixel.x, c.pixel.y,
                 fmt::format("{}/{}", c.samples, subject_.count), "–", figure_real(c.share)},
         .key = fmt::format("{} {}", pixel_key(c.pixel), subject_.name(c.triangle)),
@@ -180,11 +173,7 @@ class Story {
   Event say(const Finished& f) const {
     return {.text = everywhere_ ? "finished.each" : "finished",
             .facts = {{"crossed", f.crossed}, {"samples", f.samples}, {"colours", f.colours}},
-            .words = {{"crossed", f.crossed},
-                      {"pixels", f.pixels},
-                      {"samples", subject_.count},
-                      {"tests", f.samples},
-                      {"colours", f.colours}}};
+            .words = {{"pixels", f.pixels}, {"samples", subject_.count}, {"tests", f.samples}}};
   }
 
  private:
@@ -269,10 +258,7 @@ class ContrastStory {
   Event say(const Contrasted& c) const {
     return {.text = c.refined ? "contrast.refined" : "contrast.enough",
             .facts = {{"pixel", c.pixel}, {"contrast", c.contrast}, {"refined", c.refined}},
-            .words = {{"pixel", c.pixel},
-                      {"contrast", c.contrast},
-                      {"threshold", subject_.threshold},
-                      {"samples", subject_.count}},
+            .words = {{"threshold", subject_.threshold}, {"samples", subject_.count}},
             .row = {c.pixel.x, c.pixel.y, c.contrast, words_.shared("words", c.refined ? "yes" : "no")},
             .key = pixel_key(c.pixel),
             .phase = words_.say("phase.contrast"),
@@ -284,10 +270,7 @@ class ContrastStory {
   Event say(const Finished& f) const {
     return {.text = "finished.contrast",
             .facts = {{"refined", refined_}, {"colours", f.colours}},
-            .words = {{"refined", refined_},
-                      {"pixels", f.pixels},
-                      {"samples", subject_.count},
-                      {"colours", f.colours}}};
+            .words = {{"pixels", f.pixels}, {"samples", subject_.count}}};
   }
 
  private:

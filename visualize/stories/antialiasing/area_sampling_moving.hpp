@@ -76,7 +76,6 @@ class MovingStory {
   Event say(const PlaceDrawn& d) const {
     Event event{.text = d.centres == 0 ? "moving.lost" : "moving.drawn",
                 .facts = {{"shift", d.shift}, {"centres", d.centres}, {"area", d.area}},
-                .words = {{"shift", d.shift}, {"area", d.area}},
                 .row = {d.shift, d.centres, d.area},
                 .key = figure_real(d.shift),
                 .phase = words_.say("phase.moved", {{"shift", d.shift}})};

@@ -72,10 +72,7 @@ class PixelStory {
             .facts = {{"fragment", name(mine_)},
                       {"other", name(c.other)},
                       {"before", to_double(area_of(c.before))}},
-            .words = {{"fragment", name(mine_)},
-                      {"other", name(c.other)},
-                      {"part", area_text(area_of(c.before))},
-                      {"rest", area_text(area_of(c.behind))}},
+            .words = {{"part", area_text(area_of(c.before))}, {"rest", area_text(area_of(c.behind))}},
             .key = name(mine_),
             .phase = name(mine_),
             .decides =
@@ -101,7 +98,7 @@ class PixelStory {
                 : s.left.empty() ? "hidden"
                                  : "subtracted",
         .facts = {{"fragment", name(mine_)}, {"other", name(s.other)}, {"pieces", std::ssize(s.left)}},
-        .words = {{"fragment", name(mine_)}, {"other", name(s.other)}, {"area", area_text(area_of(s.left))}},
+        .words = {{"area", area_text(area_of(s.left))}},
         .key = name(mine_),
         .phase = name(mine_)};
     if (s.hides && !s.left.empty()) event.count = std::ssize(s.left);
@@ -125,10 +122,8 @@ class PixelStory {
                         : s.pieces.empty() ? "unseen"
                                            : "seen",
                 .facts = {{"fragment", name(mine_)}, {"area", area}, {"share", share}},
-                .words = {{"fragment", name(mine_)},
-                          {"area", area_text(s.area)},
+                .words = {{"area", area_text(s.area)},
                           {"I", brightness(mine_)},
-                          {"share", share},
                           {"covered", covered_},
                           {"sum", grey_}},
                 .read = {name(mine_), nearest(mine_), area_text(s.area), brightness(mine_), share},
@@ -142,11 +137,10 @@ class PixelStory {
     next(board, at_hand());
   }
   Event say(const AreasFinished<Exact>& f) const {
-    return {
-        .text = faulty_ ? "pixel.finished.faulty" : "pixel.finished",
-        .facts = {{"covered", to_double(f.covered)}, {"I", grey_}},
-        .words = {{"covered", area_text(f.covered)}, {"rest", area_text(Exact(1) - f.covered)}, {"I", grey_}},
-        .ends = true};
+    return {.text = faulty_ ? "pixel.finished.faulty" : "pixel.finished",
+            .facts = {{"covered", to_double(f.covered)}, {"I", grey_}},
+            .words = {{"covered", area_text(f.covered)}, {"rest", area_text(Exact(1) - f.covered)}},
+            .ends = true};
   }
 
   /// A place of the pixel in the drawing.

@@ -75,8 +75,7 @@ class Story {
     Event event{
         .text = a.area == Exact(1) ? "taken.whole" : "taken.piece",
         .facts = {{"pixel", a.pixel}, {"corners", std::ssize(a.piece)}, {"area", area}},
-        .words = {{"pixel", a.pixel},
-                  {"area", area_text(a.area)},
+        .words = {{"area", area_text(a.area)},
                   {"byte", byte_of(a.piece, a.pixel, area)},
                   {"sum", area_text(sum_)},
                   {"n", a.piece.size()}},
@@ -91,7 +90,7 @@ class Story {
   Event say(const Finished& f) const {
     return {.text = "finished",
             .facts = {{"clipped", f.clipped}, {"covered", f.covered}},
-            .words = {{"clipped", f.clipped}, {"sum", area_text(sum_)}},
+            .words = {{"sum", area_text(sum_)}},
             .count = f.covered};
   }
 

@@ -57,11 +57,7 @@ class TonesStory {
   Event say(const ToneTaken& t) const {
     return {.text = t.tone == right_of(t) ? "tones.same" : "tones.taken",
             .facts = {{"pixel", t.pixel}, {"area", t.area}, {"tone", t.tone}, {"right", right_of(t)}},
-            .words = {{"pixel", t.pixel},
-                      {"area", t.area},
-                      {"tone", t.tone},
-                      {"light", light_of(t.tone)},
-                      {"right", right_of(t)}},
+            .words = {{"light", light_of(t.tone)}},
             .row = {t.pixel.x, t.pixel.y, t.area, t.tone, light_of(t.tone), right_of(t)},
             .key = pixel_key(t.pixel),
             .phase = words_.say("phase.row", {{"row", t.pixel.y}})};

@@ -30,7 +30,7 @@ class FaultyStory {
   Event say(const Cut& c) const {
     Event event{.text = whole_ ? "whole.cut" : "asked.cut",
                 .facts = {{"columns", c.grid.x}, {"rows", c.grid.y}},
-                .words = {{"columns", c.grid.x}, {"rows", c.grid.y}, {"area", area_}},
+                .words = {{"area", area_}},
                 .count = asked_};
     if (!whole_) event.words.push_back({"cells", c.grid.x * c.grid.y});
     event.begins = true;
@@ -53,7 +53,7 @@ class FaultyStory {
                           {"y", l.place.y},
                           {"inside", inside},
                           {"mean", l.mean}},
-                .words = {{"k", l.index + 1}, {"place", placed_->place}, {"mean", l.mean}},
+                .words = {{"k", l.index + 1}, {"place", placed_->place}},
                 .row = {l.index + 1, placed_->cell, placed_->place,
                         words_.shared("words", inside ? "yes" : "no"), l.mean},
                 .key = figure_number(l.index + 1)};
@@ -75,7 +75,6 @@ class FaultyStory {
                         : f.samples < asked_ ? "asked.short"
                                              : "asked.finished",
                 .facts = {{"samples", f.samples}, {"mean", mean_}, {"area", area_}},
-                .words = {{"mean", mean_}, {"area", area_}},
                 .count = f.samples};
     if (!whole_) {
       event.words.push_back({"asked", asked_});

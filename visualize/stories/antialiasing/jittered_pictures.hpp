@@ -99,7 +99,7 @@ class PatternsStory {
     const std::string_view name = name_of(p.pattern);
     return {.text = std::string_view("patterns.shown"),
             .facts = {{"mean", mean}, {"rmse", p.rmse}},
-            .words = {{"why", words_.say("why." + std::string(name))}, {"mean", mean}, {"rmse", p.rmse}},
+            .words = {{"why", words_.say("why." + std::string(name))}},
             .row = {words_.say("short." + std::string(name)), mean, p.rmse},
             .key = std::string(name),
             .phase = words_.say("short." + std::string(name))};

@@ -38,7 +38,7 @@ class PixelStory {
   Event say(const Cut& c) const {
     Event event{.text = "cut",
                 .facts = {{"columns", c.grid.x}, {"rows", c.grid.y}},
-                .words = {{"columns", c.grid.x}, {"rows", c.grid.y}, {"area", area_}},
+                .words = {{"area", area_}},
                 .count = asked_};
     event.begins = true;
     if (pattern_ == Pattern::uniform) event.text = "cut.uniform";
@@ -62,7 +62,7 @@ class PixelStory {
   Event say(const Swapped& s) const {
     Event event{.text = s.rook == s.other ? "kept" : "swapped",
                 .facts = {{"column", s.rook.x}, {"other", s.other.x}},
-                .words = {{"column", s.rook.x}, {"row", s.rook.y}},
+                .words = {{"row", s.rook.y}},
                 .row = {"", s.rook, "", "", ""},
                 .key = figure_number(s.rook.x)};
     if (s.rook != s.other) {
@@ -91,7 +91,7 @@ class PixelStory {
   Event say(const Scrambled& s) const {
     return {.text = "scrambled",
             .facts = {{"index", s.index}, {"plain", s.plain}, {"turned", s.turned}},
-            .words = {{"k", s.index + 1}, {"plain", s.plain}, {"turned", s.turned}},
+            .words = {{"k", s.index + 1}},
             .key = figure_number(s.index + 1)};
   }
 
@@ -115,14 +115,10 @@ class PixelStory {
                           {"inside", inside},
                           {"mean", mean_}},
                 .words = {{"k", p.index + 1},
-                          {"cell", p.cell},
-                          {"u", p.u.x},
-                          {"v", p.u.y},
                           {"place", p.place},
                           {"side", words_.say(inside ? "side.inside" : "side.outside")},
                           {"hits", inside_},
-                          {"taken", taken()},
-                          {"mean", mean_}},
+                          {"taken", taken()}},
                 .row = {p.index + 1, p.cell, p.place, words_.shared("words", inside ? "yes" : "no"), mean_},
                 .key = figure_number(p.index + 1)};
     if (pattern_ == Pattern::correlated_multi_jittered) {
@@ -145,7 +141,6 @@ class PixelStory {
   Event say(const BoxesCounted& b) const {
     return {.text = "boxes",
             .facts = {{"columns", b.boxes.x}, {"rows", b.boxes.y}},
-            .words = {{"columns", b.boxes.x}, {"rows", b.boxes.y}},
             .count = taken(),
             .key = fmt::format("{}x{}", b.boxes.x, b.boxes.y)};
   }
@@ -158,7 +153,7 @@ class PixelStory {
   Event say(const Finished&) const {
     return {.text = "finished",
             .facts = {{"samples", taken()}, {"inside", inside_}, {"mean", mean_}, {"area", area_}},
-            .words = {{"hits", inside_}, {"mean", mean_}, {"area", area_}, {"off", std::abs(mean_ - area_)}},
+            .words = {{"hits", inside_}, {"off", std::abs(mean_ - area_)}},
             .count = taken()};
   }
 

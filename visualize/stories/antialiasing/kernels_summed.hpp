@@ -30,7 +30,7 @@ class KernelStory {
     const double sample = told(a.sample), sum = told(a.sum);
     return {.text = sample == 0 ? "kernels.none" : "kernels.added",
             .facts = {{"k", a.k}, {"sample", sample}, {"kernel", a.kernel}, {"sum", sum}},
-            .words = {{"k", a.k}, {"sample", sample}, {"kernel", a.kernel}, {"sum", sum}, {"x", place_}},
+            .words = {{"x", place_}},
             .row = {a.k, sample, a.kernel, sum},
             .key = figure_number(a.k),
             .phase = words_.say("phase.kernels")};
@@ -48,9 +48,7 @@ class KernelStory {
                 : 2 * alias == task_.fs ? "kernels.half"
                                         : "kernels.wrong",
         .facts = {{"sum", sum}, {"right", right}},
-        .words = {{"sum", sum},
-                  {"right", right},
-                  {"x", place_},
+        .words = {{"x", place_},
                   {"f", task_.f},
                   {"fs", task_.fs},
                   {"twice", 2 * std::abs(task_.f)},

@@ -79,12 +79,10 @@ class PatternStory {
                         : zone ? (p.n == 1 ? "zone.one" : "zone.more")
                                : (p.n == 1 ? "board.one" : "board.more"),
                 .facts = {{"n", p.n}, {"limit", p.limit}, {"off", off_.back()}},
-                .words = {{"n", p.n},
-                          {"samples", fmt::format("{0} × {0}", p.n)},
+                .words = {{"samples", fmt::format("{0} × {0}", p.n)},
                           {"limit", std::round(p.limit * 100) / 100},
                           {"centres", 2 * p.limit},
                           {"half", 0.5 * p.n},
-                          {"off", off_.back()},
                           {"before", off_.size() > 1 ? off_[off_.size() - 2] : 0}},
                 .row = {p.n * p.n, std::round(p.limit * 100) / 100, off_.back()},
                 .key = fmt::format("{}", p.n),
@@ -208,7 +206,6 @@ class ArtefactStory {
                                                     "artefacts.wave"};
     return {.text = texts[a.which],
             .facts = {{"is", a.is}, {"looks", a.looks}},
-            .words = {{"is", a.is}, {"looks", a.looks}},
             .row = {name(a.which), a.is, a.looks},
             .key = std::string(texts[a.which].substr(10)),
             .phase = words_.say("phase.pictures")};

@@ -31,7 +31,7 @@ class DiscStory {
   Event say(const Started& s) const {
     return {.text = beside_ ? "started" : "started.darts",
             .facts = {{"columns", s.cells.x}, {"rows", s.cells.y}, {"radius", s.radius}},
-            .words = {{"columns", s.cells.x}, {"rows", s.cells.y}, {"radius", radius_}}};
+            .words = {{"radius", radius_}}};
   }
 
   void show(Board&, const Chosen& c) { chosen_ = c.sample; }
@@ -79,7 +79,7 @@ class DiscStory {
   Event say(const Retired& r) const {
     return {.text = "retired",
             .facts = {{"x", r.sample.x}, {"y", r.sample.y}, {"active", std::ssize(active_)}},
-            .words = {{"place", r.sample}, {"active", std::ssize(active_)}},
+            .words = {{"place", r.sample}},
             .count = refused_before_};
   }
 
@@ -92,7 +92,7 @@ class DiscStory {
   Event say(const Finished&) const {
     Event event{.text = "finished.alone",
                 .facts = {{"samples", std::ssize(samples_)}, {"tries", tries_}},
-                .words = {{"radius", radius_}, {"tries", tries_}, {"n", std::ssize(samples_)}}};
+                .words = {{"radius", radius_}, {"n", std::ssize(samples_)}}};
     if (samples_.size() > 1) {
       event.text = "finished";
       event.words.push_back({"least", least_distance(area_, samples_)});

@@ -75,7 +75,7 @@ class SineStory {
     const double value = told(s.value);
     return {.text = "sine.sampled",
             .facts = {{"k", s.k}, {"t", s.time}, {"value", value}},
-            .words = {{"k", s.k}, {"t", s.time}, {"value", value}, {"fs", task_.fs}},
+            .words = {{"fs", task_.fs}},
             .row = {s.k, s.time, value},
             .key = figure_number(s.k),
             .phase = words_.say("phase.samples")};
@@ -96,8 +96,7 @@ class SineStory {
                           {"fs", f.fs},
                           {"rates", rates()},
                           {"half", 0.5 * f.fs},
-                          {"left", told(std::abs(task_.value(0)))},
-                          {"alias", f.alias}},
+                          {"left", told(std::abs(task_.value(0)))}},
                 .phase = words_.say("phase.alias")};
     event.decides = yes_or_no(words_, "question.enough", {{"fs", f.fs}, {"twice", 2 * std::abs(f.f)}}, enough,
                               "the sine itself", "an alias");
@@ -112,7 +111,7 @@ class SineStory {
     const bool same = folded_->alias == folded_->f;
     return {.text = same ? "sine.finished" : "sine.finished_alias",
             .facts = {{"most", most()}},
-            .words = {{"f", task_.f}, {"alias", folded_->alias}, {"count", task_.count}, {"most", most()}}};
+            .words = {{"f", task_.f}, {"alias", folded_->alias}, {"count", task_.count}}};
   }
 
  private:
@@ -249,7 +248,6 @@ class TwiceStory {
     const double value = told(s.value);
     return {.text = value == 0 ? "twice.zero" : "twice.sampled",
             .facts = {{"k", s.k}, {"t", s.time}, {"value", value}},
-            .words = {{"k", s.k}, {"t", s.time}, {"value", value}},
             .row = {s.k, s.time, value},
             .key = figure_number(s.k),
             .phase = words_.say("phase.samples")};
@@ -258,7 +256,7 @@ class TwiceStory {
   Event say(const CameBack& b) const {
     return {.text = b.size == 0 ? "twice.nothing" : "twice.smaller",
             .facts = {{"size", b.size}},
-            .words = {{"f", task_.f}, {"fs", task_.fs}, {"size", b.size}, {"count", task_.count}},
+            .words = {{"f", task_.f}, {"fs", task_.fs}, {"count", task_.count}},
             .phase = words_.say("phase.back")};
   }
 

@@ -25,7 +25,7 @@ class LargeStory {
   Event say(const Started& s) const {
     return {.text = "large.started",
             .facts = {{"n", s.n}},
-            .words = {{"size", size_text(subject_.size)}, {"large", size_text(large())}, {"n", s.n}},
+            .words = {{"size", size_text(subject_.size)}, {"large", size_text(large())}},
             .key = "start"};
   }
   void show(Board& board, const RowDrawn<dvec3>& r) {
@@ -88,12 +88,7 @@ class LargeStory {
     const double right = right_of(f.pixel).r;
     return {.text = channels_ ? "first_taken_all" : "first_taken",
             .facts = {{"red", f.value.r}, {"green", f.value.g}, {"blue", f.value.b}},
-            .words = {{"pixel", f.pixel},
-                      {"value", f.value.r},
-                      {"green", f.value.g},
-                      {"blue", f.value.b},
-                      {"blocks", block_text()},
-                      {"right", right}},
+            .words = {{"pixel", f.pixel}, {"value", f.value.r}, {"blocks", block_text()}, {"right", right}},
             .row = row_of(f.pixel, f.value),
             .key = pixel_key(f.pixel)};
   }

@@ -40,7 +40,6 @@ class PixelStory {
     return {.text = s.filter == Filter::box ? "pixel.started" : "pixel.started_wide",
             .facts = {{"n", s.n}, {"reach", s.reach}},
             .words = {{"pixel", subject_.pixel},
-                      {"n", s.n},
                       {"cells", cells_},
                       {"filter", filter_name(words_, s.filter)},
                       {"radius", radius_of(s.filter)}}};
@@ -67,11 +66,7 @@ class PixelStory {
         .text = in ? (box ? "added.inside" : "added.inside_weighed")
                    : (box ? "added.outside" : "added.outside_weighed"),
         .facts = {{"x", place.x}, {"y", place.y}, {"value", a.value}, {"weight", a.weight}, {"sum", a.sum}},
-        .words = {{"place", place},
-                  {"weight", a.weight},
-                  {"sum", a.sum},
-                  {"before", a.sum - a.weight * a.value},
-                  {"k", k_}},
+        .words = {{"place", place}, {"before", a.sum - a.weight * a.value}, {"k", k_}},
         .row = {k_, place.x, place.y, a.value, a.weight, a.sum},
         .key = fmt::format("{},{}", a.cell.x, a.cell.y)};
     event.decides = yes_or_no(words_, "question", {{"place", place}}, in, "inside", "outside");
@@ -90,9 +85,7 @@ class PixelStory {
             .facts = {{"sum", f.sum}, {"value", f.value}},
             .words = {{"inside", inside_},
                       {"cells", cells_},
-                      {"sum", f.sum},
                       {"total", total_},
-                      {"value", f.value},
                       {"exact", exact},
                       {"off", std::abs(f.value - exact)}},
             .key = "mean"};

@@ -53,8 +53,7 @@ class WheelStory {
                         : same       ? "wheel.true"
                                      : "wheel.seen",
                 .facts = {{"k", t.k}, {"turn", t.turn}, {"seen", t.seen}},
-                .words = {{"k", t.k},
-                          {"way", degrees(way())},
+                .words = {{"way", degrees(way())},
                           {"between", degrees(1 / static_cast<double>(wheel_.n))},
                           {"eye", degrees(eye())},
                           {"fps", wheel_.fps}},
@@ -79,7 +78,6 @@ class WheelStory {
             .facts = {{"speed", speed_}},
             .words = {{"f", wheel_.f},
                       {"fps", wheel_.fps},
-                      {"speed", speed_},
                       {"size", std::abs(speed_)},
                       {"rates", std::round((wheel_.f - speed_) * static_cast<double>(wheel_.n) / wheel_.fps)},
                       {"spokes", wheel_.n}}};

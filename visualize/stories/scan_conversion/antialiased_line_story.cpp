@@ -265,7 +265,7 @@ class AreaStory {
     const bool whole = byte_of(c.area) == full;
     return {.text = whole ? "cut.whole" : "cut.part",
             .facts = {{"pixel", c.pixel}, {"area", c.area}, {"byte", byte_of(c.area), "intensity"}},
-            .words = {{"corners", corners_of(c).size()}, {"byte", byte_of(c.area)}},
+            .words = {{"corners", corners_of(c).size()}},
             .row = {c.pixel.x, c.pixel.y, corners_of(c).size(), c.area, byte_of(c.area)},
             .key = pixel_key(c.pixel),
             .decides = yes_or_no(words_, "question.whole", {{"pixel", c.pixel}}, whole, "whole", "part")};

@@ -148,8 +148,7 @@ class Story {
                         : triangle_ > 0       ? "finished_all"
                                               : "finished",
                 .facts = {{"tested", f.tested}, {"covered", f.covered}},
-                .words = {{"tested", f.tested},
-                          {"covered", in_all},
+                .words = {{"covered", in_all},
                           {"triangles", subject_.triangles.size()},
                           {"found", found_},
                           {"strict", strict_},
