@@ -149,11 +149,13 @@ class Excerpts {
       more.insert(line);
       if (height_of(more) <= 2 * room_) shown = std::move(more);
     };
-    if (current) add(*current);
+    if (current) shown.insert(*current);
     if (current) add(loops_[*current]);
     for (const std::size_t line : changed_lines(current.value_or(0))) add(line);
     const std::set<std::size_t> core = shown;
-    for (std::size_t apart = 1; apart < lines_.size(); ++apart) {
+    std::size_t before = 0;
+    for (std::size_t apart = 1; shown.size() > before; ++apart) {
+      before = shown.size();
       for (const std::size_t line : core) {
         if (line >= apart && shown.contains(line - apart + 1)) add(line - apart);
         if (line + apart < lines_.size() && shown.contains(line + apart - 1)) add(line + apart);
@@ -376,8 +378,7 @@ class ListingLayout {
     const double y = y_ + 16 * s_, width = column_width() * s_;
     const double left = text_left_ + static_cast<double>(indent_of(row)) * width;
     const double right = text_left_ + static_cast<double>(characters_in(row)) * width;
-    pen_.line(std::move(id),
-              {{{left - 3 * s_, y}, {right + 3 * s_, y}}, Paint::mark(Role::rejected), 1.8 * s_});
+    pen_.line(std::move(id), {{{left - 3 * s_, y}, {right + 3 * s_, y}}, Paint::of(Tone::ink), 1.8 * s_});
   }
 
   /// Dots where lines are left out.

@@ -349,7 +349,7 @@ TEST(Bounds, ConesBesideADiagonal) {
           std::max(worst, std::abs(antialiased_line::cone_share(d) - antialiased_line::cone_share(across)));
     }
   }
-  EXPECT_TRUE(test::states("algorithms/scan_conversion/antialiased_line/antialiased_line_notes.hpp",
+  EXPECT_TRUE(test::states("algorithms/scan_conversion/antialiased_line/antialiased_line.faults",
                            "right for level and upright lines only; up to {} off near a diagonal.", {worst}));
 }
 

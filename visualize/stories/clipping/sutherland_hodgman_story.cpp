@@ -305,7 +305,7 @@ const std::vector<Method>& all_methods() {
        .unread = {"polygon", "hole", "window", "window_polygon", "order", "exact"}},
       {.name = "cut_of_a_cut",
        .tell = tell_cut_of_a_cut,
-       .file = "sutherland_hodgman_notes.hpp",
+       .file = "plain_passes.hpp",
        .unread = {"homogeneous"},
        .exact = true},
       faulty("entering_not_cut", tell_passes<[](auto... at) { return entering_not_cut(at...); }>),
