@@ -2,6 +2,7 @@
 // Whole pictures of triangles by an A-buffer: the lists of all pixels, and what they take. a_buffer.hpp has
 // what happens in one of them.
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -149,6 +150,26 @@ struct Opaque {
   constexpr double operator()(int) const { return 1; }
 };
 
+/// Leaves out of a pixel's list what is behind something that lets nothing through at each of its
+/// sub-samples: in front of it nothing changes, and the rest is to be put in order sooner. Cost: 32
+/// comparisons a fragment.
+constexpr void leave_out_hidden(std::vector<Fragment>& list) {
+  std::array<double, samples> opaque_by;  // at the latest
+  opaque_by.fill(std::numeric_limits<double>::infinity());
+  for (const Fragment& f : list) {
+    if (f.opacity != 1) continue;
+    for (Mask rest = f.mask; rest != 0; rest &= rest - 1) {
+      double& depth = opaque_by[static_cast<std::size_t>(last_of(rest))];
+      depth = std::min(depth, f.z_far);
+    }
+  }
+  std::erase_if(list, [&](const Fragment& f) {
+    for (Mask rest = f.mask; rest != 0; rest &= rest - 1)
+      if (!(opaque_by[static_cast<std::size_t>(last_of(rest))] < f.z_near)) return false;
+    return is_share(f.opacity);
+  });
+}
+
 /// What a callable for colours gives.
 template <class Colour>
 using ValueOf = std::remove_cvref_t<std::invoke_result_t<Colour&, int, ivec2, const Weights&>>;
@@ -202,7 +223,7 @@ constexpr Fragment alike(int triangle, auto&& surface, auto&& opacity) {
 /// Accuracy: masks exactly; a straight edge's area within 0.0202 of a pixel (root mean square), that of the
 ///   line in which two triangles cross likewise. Which triangle a sub-sample shows: the one whose depth there
 ///   is least, of equals the one with the lower surface number.
-/// Cost: a mask for each triangle and pixel of its box, then sorting each list;
+/// Cost: a mask for each triangle and pixel of its box, then sorting what may be seen of each list;
 ///   depths at common sub-samples where ranges of depth overlap.
 ///   The memory is returned.
 /// Errors: ContractViolation for what lies too far out, for opacities not between 0 and 1.
@@ -232,6 +253,7 @@ Memory a_buffer(std::span<const ScreenTriangle> triangles, const Window& window,
         auto at = shading_weights(triangle, pixel);
         sum += weight * colour(f.source, pixel, at);
       };
+      leave_out_hidden(list);
       const double covered = resolve(list, add, NearerAt(triangles, pixel));
       plot(pixel, sum, covered);
     }

@@ -408,6 +408,57 @@ TEST(ABufferOrder, OfLongListsAsksForEachPairAFewTimes) {
 
 // --- The source's estimate
 
+// --- What is hidden
+
+/// What each of a list takes of the pixel.
+std::map<int, double> shares_of(std::vector<Fragment> list) {
+  std::map<int, double> shares;
+  resolve(list, [&](const Fragment& f, double weight) { shares[f.source] += weight; });
+  return shares;
+}
+
+TEST(ABufferOrder, WhatIsHiddenAtEachSubSampleIsLeftOutAndNothingElse) {
+  std::size_t left_out = 0;
+  for (std::uint64_t round = 0; round < 400; ++round) {
+    Random random(test::seed(), round);
+    std::vector<Fragment> list;
+    const auto count = random.uniform_int(1, 20);
+    for (int i = 0; i < count; ++i) {
+      // Few depths, so that some are equal
+      const auto near = static_cast<double>(random.uniform_int(0, 9)),
+                 thick = static_cast<double>(random.uniform_int(0, 2));
+      const auto one = static_cast<Mask>(random()), two = static_cast<Mask>(random());
+      const Mask mask = random.uniform_int(0, 2) == 0 ? full : one | two | 1;
+      const double opacity = random.uniform_int(0, 3) == 0 ? 0.5 : 1;
+      list.push_back({.mask = mask,
+                      .z_near = near,
+                      .z_far = near + thick,
+                      .opacity = opacity,
+                      .surface = i,
+                      .source = i});
+    }
+    std::vector<Fragment> kept = list;
+    leave_out_hidden(kept);
+    left_out += list.size() - kept.size();
+    const auto all = shares_of(list), of_kept = shares_of(kept);
+    for (const Fragment& f : list) {
+      const auto share = [&](const auto& shares) {
+        const auto found = shares.find(f.source);
+        return found == shares.end() ? 0.0 : found->second;
+      };
+      ASSERT_NEAR(share(of_kept), share(all), 1e-13) << "round " << round << ", fragment " << f.source;
+    }
+    // By the definition: at each sub-sample something opaque ends before it begins
+    for (const Fragment& f : list) {
+      Mask behind = 0;
+      for (const Fragment& g : list)
+        if (g.opacity == 1 && g.z_far < f.z_near) behind |= g.mask;
+      ASSERT_EQ(std::ranges::find(kept, f) == kept.end(), (f.mask & ~behind) == 0);
+    }
+  }
+  EXPECT_GT(left_out, 1000U);
+}
+
 TEST(ABufferNotes, RangesOfDepthAreNoCrossing) {
   const auto weights_of = [](std::vector<Fragment> list, auto method) {
     std::vector<double> weights;
