@@ -69,11 +69,11 @@ class StlReader {
       if (word == "facet") {
         facet();
       } else if (word == "solid") {
-        now_->rest();  // its name
         inside_ = true;
+        skip_name();
       } else if (word == "endsolid") {
-        now_->rest();
         inside_ = false;
+        skip_name();
       } else if (word.empty()) {
         break;
       } else {
@@ -108,6 +108,17 @@ class StlReader {
       if (!now_) return "";
     }
     return in_small_letters(now_->word());
+  }
+  /// The name of a solid: the rest of its line, or, for blanks part words as line ends do, what stands there
+  /// before its facets, its end or another solid.
+  void skip_name() {
+    while (now_->more()) {
+      Statement ahead = *now_;
+      const std::string word = in_small_letters(ahead.word());
+      if (word == (inside_ ? "endsolid" : "solid")) return;
+      if (inside_ && word == "facet" && in_small_letters(ahead.word()) == "normal") return;
+      now_->word();
+    }
   }
   void expect(std::string_view keyword) {
     if (const std::string word = next(); word != keyword) expected(keyword, word);

@@ -108,6 +108,20 @@ TEST(Stl, TextInLettersOfAnySize) {
   EXPECT_EQ(model_in(two_facets, "m.stl").mesh.faces[1].line, 9);
 }
 
+TEST(Stl, BlanksPartWordsAsLineEndsDo) {
+  std::string line = two_facets;
+  std::ranges::replace(line, '\n', ' ');
+  for (const std::string& text : {line, large(line), replaced(line, "solid s", "solid s of a facet plate"),
+                                  replaced(line, "solid s", "solid")})
+    expect_two_facets(model_in(text, "m.stl"));
+  expect_two_facets(model_in(replaced(two_facets, "solid s", "solid #1 s"), "m.stl"));
+  const ModelFile two = model_in(line + line, "m.stl");
+  EXPECT_EQ(two.mesh.faces.size(), 4u);
+  EXPECT_THAT(two.notes, IsEmpty());
+  EXPECT_EQ(refusal_of("\n" + replaced(line, "1e0", "1e0x"), "m.stl"),
+            "m.stl:2: expected a number for the vertex, found '1e0x'");
+}
+
 TEST(Stl, SeveralSolidsLargerLoopsAndNormalsThatAreNone) {
   const std::string square =
       "facet normal nan -nan 1.#QNAN outer loop vertex 0 0 5 vertex 1 0 5 vertex 1 1 5 vertex 0 1 5 endloop "
