@@ -105,17 +105,17 @@ constexpr const char* name_of(Kind kind) {
 /// Sheets, which pierce each other; or closed boxes, of which back faces can be left out.
 inline Polygons scene_of(Kind kind, Random& random, bool solid = false) {
   Polygons scene;
-  const auto size = [&](double least, double most) {
-    return dvec3{random.uniform(least, most), random.uniform(least, most), random.uniform(least, most)};
+  const auto any_box = [&](double least, double most) {
+    const glm::dquat turn = any_turn(random);
+    const dvec3 half{random.uniform(least, most), random.uniform(least, most), random.uniform(least, most)};
+    return turned(anywhere(random), half, turn);
   };
   switch (kind) {
     case Kind::few_large:
-      for (int i = 0; i < (solid ? 4 : 9); ++i)
-        add(scene, turned(anywhere(random), size(0.7, 1.8), any_turn(random)), solid);
+      for (int i = 0; i < (solid ? 4 : 9); ++i) add(scene, any_box(0.7, 1.8), solid);
       break;
     case Kind::many_small:
-      for (int i = 0; i < (solid ? 40 : 80); ++i)
-        add(scene, turned(anywhere(random), size(0.25, 0.6), any_turn(random)), solid);
+      for (int i = 0; i < (solid ? 40 : 80); ++i) add(scene, any_box(0.25, 0.6), solid);
       break;
     case Kind::heavy_overdraw:
       for (int i = 0; i < 20; ++i) {
@@ -127,8 +127,7 @@ inline Polygons scene_of(Kind kind, Random& random, bool solid = false) {
     case Kind::cyclic:
       for (const dvec2 at : {dvec2{-2.9, -2.7}, {0.3, -2.6}, {-1.4, 0.4}})
         add_cycle(scene, on_grid({at, random.uniform(5, 7)}), solid);
-      for (int i = 0; i < 2; ++i)
-        add(scene, turned(anywhere(random), size(0.5, 1.2), any_turn(random)), solid);
+      for (int i = 0; i < 2; ++i) add(scene, any_box(0.5, 1.2), solid);
   }
   return scene;
 }
@@ -144,7 +143,8 @@ inline Polygons small_boxes(int count) {
   Polygons scene;
   for (int i = 0; i < count; ++i) {
     const double size = random.uniform(0.1, 0.3);
-    add(scene, turned(anywhere(random), {size, size, size}, any_turn(random)), true);
+    const glm::dquat turn = any_turn(random);
+    add(scene, turned(anywhere(random), {size, size, size}, turn), true);
   }
   return scene;
 }

@@ -99,8 +99,9 @@ void subtract(SumOfProducts<2>& sum, Rounded a) {
 void pairs_of_doubles() {
   Random random(10);
   for (int i = 0; i < rounds; ++i) {
-    const Rounded a = two_product(coordinate(random), coordinate(random));
-    const Rounded b = two_product(coordinate(random), coordinate(random));
+    const double a_one = coordinate(random), a_two = coordinate(random);
+    const double b_one = coordinate(random), b_two = coordinate(random);
+    const Rounded a = two_product(a_one, a_two), b = two_product(b_one, b_two);
     const Rounded product = pair_product(a, b), quotient = pair_quotient(a, b);
     SumOfProducts<2> lost;
     add_product(lost, a, b);
@@ -274,7 +275,7 @@ void boxes_and_view_volumes() {
                (!cohen || (same(cohen->a, liang->a) && same(cohen->b, liang->b))),
            "in a box both clip alike", i);
 
-    const auto homogeneous = [&random] { return glm::dvec4(point_in_space(random), coordinate(random)); };
+    const auto homogeneous = [&random] { return glm::dvec4{point_in_space(random), coordinate(random)}; };
     const glm::dvec4 p = homogeneous(), q = homogeneous();
     const Crossing there{depth(p, Border::left), depth(q, Border::left)};
     if (negative(there.a) != negative(there.b)) {

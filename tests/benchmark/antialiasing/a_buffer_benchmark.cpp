@@ -30,7 +30,7 @@ Triangles triangles_of(int reach) {
   for (int i = 0; i < 4096 / reach; ++i) {
     const dvec2 at{random.uniform(0, side - reach), random.uniform(0, side - reach)};
     const auto corner = [&] {
-      return triangle_coverage::snap(at + dvec2(random.uniform(0, reach), random.uniform(0, reach)));
+      return triangle_coverage::snap(at + dvec2{random.uniform(0, reach), random.uniform(0, reach)});
     };
     const ivec2 a = corner(), b = corner(), c = corner();
     all.push_back({{a, b, c}, dvec3(random.unit())});

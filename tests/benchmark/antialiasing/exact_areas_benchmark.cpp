@@ -110,7 +110,7 @@ std::shared_ptr<const Shapes> triangles() {
   return shapes_of(64, [](Random& random, dvec2 middle) {
     Ring ring;
     for (int i = 0; i < 3; ++i)
-      ring.push_back(on_grid(middle + dvec2(random.uniform(-31, 31), random.uniform(-31, 31))));
+      ring.push_back(on_grid(middle + dvec2{random.uniform(-31, 31), random.uniform(-31, 31)}));
     return ring;
   });
 }
@@ -127,8 +127,8 @@ std::shared_ptr<const Shapes> spikes() {
 }
 std::shared_ptr<const Shapes> boxes() {
   return shapes_of(64, [](Random& random, dvec2 middle) {
-    const ivec2 a = on_grid(middle - dvec2(random.uniform(1, 31), random.uniform(1, 31))),
-                b = on_grid(middle + dvec2(random.uniform(1, 31), random.uniform(1, 31)));
+    const ivec2 a = on_grid(middle - dvec2{random.uniform(1, 31), random.uniform(1, 31)}),
+                b = on_grid(middle + dvec2{random.uniform(1, 31), random.uniform(1, 31)});
     return Ring{a, {b.x, a.y}, b, {a.x, b.y}};
   });
 }

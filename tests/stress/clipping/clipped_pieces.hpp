@@ -295,7 +295,7 @@ inline std::vector<Points> touch_rings(const Input& i) {
     for (int k = 0; k < vertices; ++k) {
       const SinCos at = sin_cos(0x1.921fb54442d18p2 * k / vertices);
       ring.push_back(i[0] == 0 ? random.uniform(nearest, 1) * dvec2(at.cos, at.sin)
-                               : dvec2(random.uniform_int(0, places), random.uniform_int(0, places)));
+                               : dvec2{random.uniform_int(0, places), random.uniform_int(0, places)});
     }
   }
   for (Points& ring : rings) {

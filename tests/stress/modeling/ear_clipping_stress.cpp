@@ -90,7 +90,7 @@ Input input_of(const Corners& corners, Kind kind, Random& random) {
 }
 Input flat_input(Kind kind, Random& random) {
   const dvec2 middle =
-      random.unit() < 0.5 ? dvec2(0) : dvec2(random.uniform(-16, 16), random.uniform(-16, 16));
+      random.unit() < 0.5 ? dvec2(0) : dvec2{random.uniform(-16, 16), random.uniform(-16, 16)};
   Points points = shape(kind, random);
   for (dvec2& p : points) p += kind == Kind::ties ? glm::round(middle) : middle;
   return input_of(points, kind, random);

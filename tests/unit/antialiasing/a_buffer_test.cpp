@@ -204,9 +204,11 @@ TEST(ABuffer, OpacityIsThatOfEachSubSample) {
   for (int i = 0; i < 500; ++i) {
     std::vector<Fragment> list;
     const int count = static_cast<int>(random.uniform_int(1, 8));
-    for (int k = 0; k < count; ++k)
-      list.push_back(fragment(static_cast<Mask>(random() & random()), random.unit(), k,
-                              random.unit() < 0.3 ? 1 : random.unit()));
+    for (int k = 0; k < count; ++k) {
+      const auto mask = static_cast<Mask>(random() & random());
+      const double z = random.unit();
+      list.push_back(fragment(mask, z, k, random.unit() < 0.3 ? 1 : random.unit()));
+    }
     const std::vector<Exact> right = rational_weights(list);
     std::vector<double> found(list.size());
     const double covered =

@@ -426,7 +426,7 @@ TEST(JitteredNotes, WholeCoordinatesGiveThePictureBack) {
   Random random(8);
   int tried = 0;
   for (int i = 0; i < 2000; ++i, ++tried) {
-    const ivec2 pixel(random.uniform_int(0, 4000), random.uniform_int(0, 4000));
+    const ivec2 pixel{random.uniform_int(0, 4000), random.uniform_int(0, 4000)};
     const double grey = static_cast<double>(random.uniform_int(0, 255)) / 256;
     const auto colour_of = [&](ivec2 p) { return p == pixel ? grey : -1; };
     const int asked = static_cast<int>(random.uniform_int(1, 64));

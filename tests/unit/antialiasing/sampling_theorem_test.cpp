@@ -61,8 +61,8 @@ TEST(SamplingTheorem, TheAliasIsTheNearestOfAllThatFit) {
   int ties = 0;
   for (int i = 0; i < 300; ++i) {
     ExactScope scope;
-    const Exact f(random.uniform_int(-60, 60), random.uniform_int(1, 6)),
-        fs(random.uniform_int(1, 30), random.uniform_int(1, 6));
+    const Exact f{random.uniform_int(-60, 60), random.uniform_int(1, 6)},
+        fs{random.uniform_int(1, 30), random.uniform_int(1, 6)};
     const Exact alias = alias_of(f, fs);
     EXPECT_TRUE(-fs < alias + alias && alias + alias <= fs);
     bool whole = false;
@@ -190,7 +190,7 @@ TEST(SamplingTheorem, WhatIsSeenIsTheSamePicture) {
   Random random(158);
   for (int i = 0; i < 500; ++i) {
     ExactScope scope;
-    const Exact f(random.uniform_int(-200, 200), random.uniform_int(1, 9)), fps(random.uniform_int(1, 60));
+    const Exact f{random.uniform_int(-200, 200), random.uniform_int(1, 9)}, fps(random.uniform_int(1, 60));
     const std::int64_t n = random.uniform_int(1, 12);
     std::array<Exact, 4> seen{Exact(0), Exact(0), Exact(0), Exact(0)};
     int frames = 0;

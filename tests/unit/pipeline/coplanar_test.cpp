@@ -123,8 +123,8 @@ glm::dmat4 random_placement(Random& random) {
 /// Looks at the middle of the sheets from any side, but not along them.
 SceneCamera random_camera(const glm::dmat4& placement, Random& random) {
   const dvec3 middle(placement * glm::dvec4(2, 1.5, 0.7, 1));
-  const double height = (random.uniform_int(0, 1) == 0 ? 1 : -1) * random.uniform(1.5, 4);
-  const dvec3 eye(placement * glm::dvec4(random.uniform(-3, 7), random.uniform(-3, 6), 0.7 + height, 1));
+  const double side = random.uniform_int(0, 1) == 0 ? 1 : -1, height = side * random.uniform(1.5, 4);
+  const dvec3 eye(placement * glm::dvec4{random.uniform(-3, 7), random.uniform(-3, 6), 0.7 + height, 1});
   SceneCamera camera;
   camera.frame = viewing::look_at(eye, middle, dvec3{0.01, 1, 0.02});
   camera.lens = {1.2, 0.1, 100};
