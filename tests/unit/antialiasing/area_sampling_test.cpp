@@ -107,33 +107,6 @@ TEST(AreaSampling, StepsFollowTheGrammar) {
   EXPECT_EQ(all<AreaTaken<double>>(seen).size(), 9u);
 }
 
-/// What the byte must be, in rationals.
-int exact_byte(Exact area) { return static_cast<int>(floor(Exact(255) * area + Exact(1, 2))); }
-
-TEST(AreaSampling, BytesAreThoseOfRationals) {
-  Random random(11);
-  int pixels = 0, halves = 0;
-  for (int i = 0; i < 400; ++i) {
-    const ExactScope scope;
-    // Corners on quarters of pixels bring ties
-    const int grid = i % 4 == 0 ? 1 : 128;
-    Corners t = random_triangle(random, 2000 / grid);
-    for (ivec2& p : t) p *= grid;
-    const Areas<Exact> right = areas_of<Exact>(t);
-    std::size_t plotted = 0;
-    pixel_bytes(t, sheet, [&](ivec2 p, std::uint8_t byte) {
-      ++plotted;
-      const Exact area = right.at({p.x, p.y});
-      EXPECT_EQ(byte, exact_byte(area)) << p.x << ' ' << p.y;
-      halves += area == Exact(1, 2);
-    });
-    EXPECT_EQ(plotted, right.size());
-    pixels += static_cast<int>(plotted);
-  }
-  EXPECT_GT(pixels, 5000);
-  EXPECT_GT(halves, 100);
-}
-
 TEST(AreaSampling, WholeNumbersDecideTies) {
   // Every level of every piece: at least where the rational says so, and exactly at ties
   Random random(12);

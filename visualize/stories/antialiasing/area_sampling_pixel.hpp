@@ -23,14 +23,13 @@ class PixelStory {
     std::ranges::sort(shown_, {}, [](const Shown& s) { return std::pair(s.depths.x, s.key); });
   }
 
-  std::optional<StepNumber> telling() const { return telling_; }
   double covered() const { return covered_; }
   double grey() const { return grey_; }
 
   void show(Board& board, const steps::Started&) {
     View view = base();
     for (const Shown& s : shown_) outline(view, s, Role::input);
-    next(board, std::move(view));
+    board.milestone(std::move(view));
   }
   Event say(const steps::Started&) const {
     return {.text = "pixel.started",
@@ -46,7 +45,7 @@ class PixelStory {
     for (const Shown& s : shown_) lines.push_back(s.ring);
     const auto place = roomiest(left_.front(), lines);
     if (place) view.add({"n mine", Role::current, Text{at(*place), name(mine_)}});
-    next(board, std::move(view));
+    board.milestone(std::move(view));
   }
   Event say(const FragmentTaken<Exact>& f) const {
     return {.text = faulty_         ? "taken.faulty"
@@ -62,8 +61,8 @@ class PixelStory {
   void show(Board& board, const Compared<Exact>& c) {
     View view = at_hand();
     add_other(view, c.other, c.before, c.behind);
-    next(board, std::move(view));
-    want(crosses(c) ? 3 : c.before.empty() ? 1 : 2);
+    board.milestone(std::move(view));
+    board.tells(crosses(c) ? 3 : c.before.empty() ? 1 : 2);
   }
   Event say(const Compared<Exact>& c) const {
     const std::size_t answer = c.before.empty() ? 2 : c.behind.empty() ? 0 : 1;
@@ -90,7 +89,7 @@ class PixelStory {
     View view = at_hand();
     add_hidden(view, before, s);
     if (!s.hides) return board.detail(std::move(view));
-    next(board, std::move(view));
+    board.milestone(std::move(view));
   }
   Event say(const Subtracted<Exact>& s) const {
     Event event{
@@ -113,8 +112,8 @@ class PixelStory {
     for (const auto& piece : s.pieces) seen_.push_back({mine_, ring_of(piece), area_text(area_of(piece))});
     left_.clear();
     done_.push_back(mine_);
-    next(board, at_hand());
-    if (faulty_) telling_ = {milestones_, 0};
+    board.milestone(at_hand());
+    if (faulty_) board.tells(static_cast<double>(done_.size()));  // the last one
   }
   Event say(const Seen<Exact>& s) const {
     const double area = to_double(s.area), share = area * brightness(mine_);
@@ -134,7 +133,7 @@ class PixelStory {
 
   void show(Board& board, const AreasFinished<Exact>&) {
     mine_ = -1;
-    next(board, at_hand());
+    board.milestone(at_hand());
   }
   Event say(const AreasFinished<Exact>& f) const {
     return {.text = faulty_ ? "pixel.finished.faulty" : "pixel.finished",
@@ -217,15 +216,6 @@ class PixelStory {
   double brightness(int key) const { return subject_.grey[static_cast<std::size_t>(key)]; }
   double nearest(int key) const { return std::ranges::find(shown_, key, &Shown::key)->depths.x; }
   static bool crosses(const Compared<Exact>& c) { return !c.before.empty() && !c.behind.empty(); }
-  void next(Board& board, View view) {
-    board.milestone(std::move(view));
-    ++milestones_;
-  }
-  void want(int worth) {
-    if (worth <= worth_) return;
-    worth_ = worth;
-    telling_ = {milestones_, 0};
-  }
 
   // --- What is drawn
 
@@ -365,9 +355,6 @@ class PixelStory {
   std::vector<SeenPiece> seen_{};
   std::vector<int> done_{};
   std::vector<double> weights_{};
-  std::int64_t milestones_ = -1;
-  int worth_ = 0;
-  std::optional<StepNumber> telling_{};
 };
 
 /// The triangles' corners, or the ends of their sides, as far as they are in the pixel.
@@ -417,7 +404,6 @@ void tell_in_pixel(Narrator& narrator, bool faulty, const Run& run) {
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   run(std::span(fragments), [](const auto&, const auto&, Exact) {}, watch);
-  if (story.telling()) narrator.telling(*story.telling());
   narrator.result({{"covered", story.covered()}, {"I", story.grey()}});
 }
 

@@ -18,7 +18,6 @@ class TonesStory {
   double sum() const { return sum_; }
   double shown() const { return shown_; }
   /// The pixel whose tone is farthest off.
-  std::optional<StepNumber> telling() const { return telling_; }
 
   void show(Board& board, const steps::Started&) {
     for (const int panel : {0, 1}) {
@@ -40,9 +39,7 @@ class TonesStory {
   void show(Board& board, const ToneTaken& t) {
     sum_ += t.area;
     shown_ += light_of(t.tone);
-    ++milestones_;
-    const int off = right_of(t) - t.tone;
-    if (off > most_off_) most_off_ = off, telling_ = {milestones_, 0};
+    board.tells(right_of(t) - t.tone);
     const auto level = static_cast<std::uint8_t>(t.tone);
     put(0, t.pixel, Rgba8{level, level, level, 255}, figure_number(t.tone));
     put(1, t.pixel, tone_of(t.area), figure_number(right_of(t)));
@@ -85,9 +82,6 @@ class TonesStory {
   const ivec2 size_;
   View base_{};
   double sum_ = 0, shown_ = 0;
-  int most_off_ = 0;
-  std::int64_t milestones_ = 0;
-  std::optional<StepNumber> telling_{};
 };
 
 inline void tell_area_as_tone(Narrator& narrator) {
@@ -99,11 +93,8 @@ inline void tell_area_as_tone(Narrator& narrator) {
   narrator.trace().goal = narrator.words().say("tones.goal");
   narrator.columns({{"x"}, {"y"}, {"area"}, {"tone"}, {"light"}, {"right_tone"}});
   narrator.legend({{Role::current, "this_pixel"}});
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
-  area_as_tone(corners, window, [](ivec2, int) {}, watch);
-  watch(steps::Finished{}, 0);
-  if (story.telling()) narrator.telling(*story.telling());
+  narrator.tell_whole(story,
+                      [&](const auto& watch) { area_as_tone(corners, window, [](ivec2, int) {}, watch); });
   narrator.result({{"light", story.shown()}, {"right", story.sum()}});
 }
 
