@@ -26,6 +26,21 @@ constexpr std::array methods{Method::depth_first, Method::breadth_first, Method:
 bool is_connectivity(double x) { return x == 4 || x == 8; }
 Connectivity connectivity_of(double x) { return x == 4 ? Connectivity::four : Connectivity::eight; }
 
+/// How many cells a fill gets wrong, and by how many its count is off; wrong where it does not refuse what
+/// isn't `taken`, or refuses what is.
+template <class Cells, class Value, class Fill>
+double fill_error(const Cells& before, bool taken, const Mask& area, std::int64_t painted, const Value& value,
+                  const Fill& fill) {
+  Cells cells = before;
+  try {
+    const Filled filled = fill(cells);
+    if (!taken) return wrong;
+    return static_cast<double>(std::abs(filled.painted - painted) + wrong_cells(cells, before, area, value));
+  } catch (const ContractViolation&) {
+    return taken ? wrong : 0;
+  }
+}
+
 // --- Rasters ---
 
 /// Width, height, seed, connectivity, picture, new value.
@@ -100,17 +115,7 @@ double fills_error(const RasterCase& given) {
   const Mask area = taken ? given.area() : Mask();
   const auto value = static_cast<Cell>(least + byte);
   const std::int64_t painted = taken && before[seed] != value ? count(area) : 0;
-  const auto judged = [&](auto fill) {
-    Raster<Cell> cells = before;
-    try {
-      const Filled filled = fill(cells);
-      if (!taken) return wrong;
-      return static_cast<double>(std::abs(filled.painted - painted) +
-                                 wrong_cells(cells, before, area, value));
-    } catch (const ContractViolation&) {
-      return taken ? wrong : 0;
-    }
-  };
+  const auto judged = [&](auto fill) { return fill_error(before, taken, area, painted, value, fill); };
   double error = judged([&](auto& cells) { return fill_rows(cells, seed, value, connectivity); }) +
                  judged([&](auto& cells) { return fill_by_labels(cells, seed, value, connectivity); }) +
                  judged([&](auto& cells) { return fill_area(cells, seed, value, connectivity); });
@@ -343,24 +348,18 @@ double image_error(const Input& input) {
                                      [&](ivec2 p) { return given->near_seed(given->image[p]); });
   const std::int64_t painted = taken && (tolerance > 0 || before[seed] != ink) ? count(area) : 0;
   double error = 0;
-  const auto judge = [&](const Filled& filled, const Image& image) {
-    error += static_cast<double>(std::abs(filled.painted - painted) + wrong_cells(image, before, area, ink));
-  };
+  const auto judge = [&](auto fill) { error += fill_error(before, taken, area, painted, ink, fill); };
   for (const Method method : methods) {
-    Image image = before;
-    try {
+    judge([&](Image& image) {
       const Filled filled = fill_image(image, seed, ink, {tolerance, connectivity, method});
-      if (!taken || (filled.mask_bytes > 0) != given->needs_mask()) return wrong;
-      judge(filled, image);
-    } catch (const ContractViolation&) {
-      if (taken) return wrong;
-    }
+      if ((filled.mask_bytes > 0) != given->needs_mask()) error = wrong;
+      return filled;
+    });
   }
   if (!taken || tolerance > 0) return error;
-  Image by_rows = before, by_labels = before, by_size = before;
-  judge(fill_rows(by_rows, seed, ink, connectivity), by_rows);
-  judge(fill_by_labels(by_labels, seed, ink, connectivity), by_labels);
-  judge(fill_area(by_size, seed, ink, connectivity), by_size);
+  judge([&](Image& image) { return fill_rows(image, seed, ink, connectivity); });
+  judge([&](Image& image) { return fill_by_labels(image, seed, ink, connectivity); });
+  judge([&](Image& image) { return fill_area(image, seed, ink, connectivity); });
   return error;
 }
 

@@ -104,23 +104,18 @@ TEST(FloodFill, EveryPictureOfTwelveCells) {
       if (picture[seed] == wall) continue;
       const auto area =
           stress::area_of(4, 3, seed, connectivity, [&](ivec2 p) { return picture[p] != wall; });
-      const auto expect_filled = [&](const Maze& filled) {
+      const auto judge = [&](auto fill) {
+        Maze filled = picture;
+        fill(filled);
         EXPECT_EQ(stress::wrong_cells(filled, picture, area, 'x'), 0)
             << maze_text(picture) << maze_text(filled);
         ++cases;
       };
-      for (const Method method : methods) {
-        Maze filled = picture;
-        fill_maze(filled, seed, 'x', {.connectivity = connectivity, .method = method});
-        expect_filled(filled);
-      }
-      Maze by_rows = picture, by_labels = picture, by_size = picture;
-      fill_rows(by_rows, seed, 'x', connectivity);
-      expect_filled(by_rows);
-      fill_by_labels(by_labels, seed, 'x', connectivity);
-      expect_filled(by_labels);
-      fill_area(by_size, seed, 'x', connectivity);
-      expect_filled(by_size);
+      for (const Method method : methods)
+        judge([&](Maze& m) { fill_maze(m, seed, 'x', {.connectivity = connectivity, .method = method}); });
+      judge([&](Maze& m) { fill_rows(m, seed, 'x', connectivity); });
+      judge([&](Maze& m) { fill_by_labels(m, seed, 'x', connectivity); });
+      judge([&](Maze& m) { fill_area(m, seed, 'x', connectivity); });
     }
   }
   EXPECT_EQ(cases, 6 * 2 * 12 * 2048);
