@@ -91,9 +91,17 @@ class Words {
   std::string topic_;
 };
 
+/// The key of a text, also one that is put together.
+struct TextKey : std::string {
+  TextKey() = default;
+  TextKey(const char* key) : std::string(key) {}
+  TextKey(std::string_view key) : std::string(key) {}
+  TextKey(std::string key) : std::string(std::move(key)) {}
+};
+
 /// What is told of one step. Sentences may take the words and the facts; of one name, the word.
 struct Event {
-  std::string_view text{};              ///< the sentence's key in the topic's section, written out
+  TextKey text{};                       ///< the sentence's key in the topic's section, written out
   std::vector<Field> facts{};           ///< the step's data, for programs
   std::vector<Word> words{};            ///< what the sentence needs besides
   std::optional<std::int64_t> count{};  ///< the sentence is that of a number: "<text>.one", "<text>.many"

@@ -3,14 +3,11 @@
 #include "visibility/back_face_culling/back_face_culling.hpp"
 
 #include <algorithm>
-#include <concepts>
 #include <vector>
 
-#include "core/arithmetic/exact_scalar.hpp"
-#include "core/contract.hpp"
 #include "core/record.hpp"
 #include "stress/core/integers.hpp"
-#include "stress/numbers.hpp"
+#include "stress/decisions.hpp"
 #include "stress/scales.hpp"
 
 namespace gradus::stress {
@@ -19,18 +16,14 @@ namespace {
 using namespace back_face_culling;
 
 /// x, y, w of three corners.
-Input generate(Kind kind, Random& random) {
-  Input input(9);
-  for (double& x : input) x = number(kind == Kind::refused ? Kind::random : kind, random);
+Input three_corners(Kind kind, Random& random) {
+  Input input = numbers_to_place(kind, random, 9, 9);
   if (kind == Kind::near_degenerate || kind == Kind::grazing) {
     // The third corner in the plane of the others and the eye, but for the last places
     const double s = random.uniform(-2, 2), t = kind == Kind::grazing ? 1 - s : random.uniform(-2, 2);
     for (std::size_t k = 0; k < 3; ++k) input[6 + k] = nudged(s * input[k] + t * input[3 + k], random);
   } else if (kind == Kind::ties && random.unit() < 0.5) {
     for (std::size_t k = 0; k < 3; ++k) input[6 + k] = 2 * input[k] - input[3 + k];
-  }
-  if (kind == Kind::refused) {
-    input[static_cast<std::size_t>(random.uniform_int(0, 8))] = random.unit() < 0.5 ? std::nan("") : wrong;
   }
   return input;
 }
@@ -42,30 +35,18 @@ int exact_sign(const Input& i) {
   // By the column of w
   return Integer(fixed(i[2]) * minor(3, 6) - fixed(i[5]) * minor(0, 6) + fixed(i[8]) * minor(0, 3)).sign();
 }
-template <class T>
-glm::vec<4, T> corner(const Input& i, std::size_t k) {
-  return {static_cast<T>(i[k]), static_cast<T>(i[k + 1]), T(0), static_cast<T>(i[k + 2])};
-}
 
-double error(const Input& i) {
-  Recorder<Tested<double>> seen;
-  Facing found{};
-  try {
-    const auto a = corner<double>(i, 0), b = corner<double>(i, 3), c = corner<double>(i, 6);
-    found = facing(a, b, c, seen);
-    if (!all_finite(i) || facing(a, b, c) != found) return wrong;
-  } catch (const ContractViolation&) {
-    return all_finite(i) ? wrong : 0;
-  }
-  const int sign = exact_sign(i);
-  const ExactScope scope;
-  const int of_rationals = determinant_sign(corner<Exact>(i, 0), corner<Exact>(i, 3), corner<Exact>(i, 6));
-  const Facing right = sign > 0 ? Facing::front : sign < 0 ? Facing::back : Facing::edge_on;
-  // Where the numbers are floats, too
-  const bool floats = std::ranges::all_of(
-      i, [](double x) { return std::abs(x) <= 0x1p127 && double{static_cast<float>(x)} == x; });
-  if (floats && facing(corner<float>(i, 0), corner<float>(i, 3), corner<float>(i, 6)) != right) return wrong;
-  return found == right && of_rationals == sign && all<Tested<double>>(seen).at(0).sign == sign ? 0 : wrong;
+/// By the facing found, and the sign told with it.
+template <class T>
+int facing_found(const std::vector<T>& numbers) {
+  std::vector<glm::vec<4, T>> corners;
+  for (const auto& p : points_in<3>(numbers, 3)) corners.push_back({p.x, p.y, T(0), p.z});
+  const auto &a = corners[0], &b = corners[1], &c = corners[2];
+  Recorder<Tested<T>> seen;
+  const Facing found = facing(a, b, c, seen);
+  const int sign = all<Tested<T>>(seen).at(0).sign;
+  return found == facing_of(sign) && facing(a, b, c) == found && determinant_sign(a, b, c) == sign ? sign
+                                                                                                   : no_sign;
 }
 
 // --- Faces of four corners, that need not be flat
@@ -74,8 +55,7 @@ constexpr std::size_t corners = 4;
 
 /// x, y, z of the corners and of an eye; then whether the eye is a direction.
 Input face_and_eye(Kind kind, Random& random) {
-  Input input(3 * corners + 4);
-  for (double& x : input) x = number(kind == Kind::refused ? Kind::random : kind, random);
+  Input input = numbers_to_place(kind, random, 3 * corners + 4, 3 * corners);
   if (kind == Kind::near_degenerate || kind == Kind::grazing) {
     // The last corner and the eye in the plane of the others, but for the last places
     for (const std::size_t end : {3 * (corners - 1), 3 * corners}) {
@@ -86,29 +66,12 @@ Input face_and_eye(Kind kind, Random& random) {
     }
   }
   input.back() = random.unit() < 0.5 ? 1 : -1;
-  if (kind == Kind::refused) {
-    input[static_cast<std::size_t>(random.uniform_int(0, 3 * corners - 1))] =
-        random.unit() < 0.5 ? std::nan("") : wrong;
-  }
   return input;
 }
-bool is_distant(const Input& i) { return i.back() < 0; }
 
-template <class T>
-std::vector<glm::vec<3, T>> face_of(const Input& i) {
-  std::vector<glm::vec<3, T>> face;
-  for (std::size_t k = 0; k < corners; ++k)
-    face.push_back({static_cast<T>(i[3 * k]), static_cast<T>(i[3 * k + 1]), static_cast<T>(i[3 * k + 2])});
-  return face;
-}
-template <class T>
-Eye<T> eye_of(const Input& i) {
-  const std::size_t k = 3 * corners;
-  return {static_cast<T>(i[k]), static_cast<T>(i[k + 1]), static_cast<T>(i[k + 2]), T(is_distant(i) ? 0 : 1)};
-}
-
-/// The sign of N . (E - w P) in whole numbers; the eye at 0 for `homogeneous`, whose sign is the other one.
-int exact_side(const Input& i, bool eye_at_zero) {
+/// The sign of N . (E - w P) in whole numbers; of a face alone, the eye is at 0.
+int exact_side(const Input& i) {
+  const bool eye_at_zero = i.size() == 3 * corners, distant = i.back() < 0;
   const auto at = [&](std::size_t corner, std::size_t k) { return fixed(i[3 * (corner % corners) + k]); };
   Integer sum = 0;
   for (std::size_t c = 0; c < corners; ++c) {
@@ -116,60 +79,40 @@ int exact_side(const Input& i, bool eye_at_zero) {
       const std::size_t m = (k + 1) % 3, n = (k + 2) % 3;
       const Integer normal = at(c, m) * at(c + 1, n) - at(c, n) * at(c + 1, m);
       if (!eye_at_zero) sum += normal * fixed(i[3 * corners + k]);
-      if (eye_at_zero || !is_distant(i)) sum -= normal * at(0, k);
+      if (eye_at_zero || !distant) sum -= normal * at(0, k);
     }
   }
   return sum.sign();
 }
 
-template <class T, class Method>
-int sign_found(const Method& method) {
-  int sign = 7;
-  method([](std::size_t) {},
-         [&]<class Step>(const Step& step) {
-           if constexpr (std::same_as<Step, Judged<T>>) sign = step.sign;
-         });
-  return sign;
+template <class T>
+int side_found(const std::vector<T>& numbers) {
+  const auto ring = points_in<3>(numbers, corners);
+  const std::vector<Face<T>> faces{ring};
+  const Eye<T> eye(vector_in(numbers, 3 * corners), T(numbers.back() < T(0) ? 0 : 1));
+  return sign_told<Judged<T>>([&](const auto&... with) { normal_and_view<T>(faces, eye, with...); });
 }
 template <class T>
-int side_found(const Input& i) {
-  const auto ring = face_of<T>(i);
+int determinant_found(const std::vector<T>& numbers) {
+  const auto ring = points_in<3>(numbers, corners);
   const std::vector<Face<T>> faces{ring};
-  return sign_found<T>(
-      [&](const auto& draw, const auto& watch) { normal_and_view<T>(faces, eye_of<T>(i), draw, watch); });
-}
-template <class T>
-int determinant_found(const Input& i) {
-  const auto ring = face_of<T>(i);
-  const std::vector<Face<T>> faces{ring};
-  return sign_found<T>([&](const auto& draw, const auto& watch) { homogeneous<T>(faces, draw, watch); });
-}
-bool are_floats(const Input& i) {
-  return std::ranges::all_of(
-      i, [](double x) { return std::abs(x) <= 0x1p127 && double{static_cast<float>(x)} == x; });
+  return sign_told<Judged<T>>([&](const auto&... with) { homogeneous<T>(faces, with...); });
 }
 
+/// From the eye at 0, too, which the determinant has the other way round.
 double side_error(const Input& i) {
-  try {
-    const int found = side_found<double>(i), determinant = determinant_found<double>(i);
-    if (!all_finite(i)) return wrong;
-    const int side = exact_side(i, false), of_zero = -exact_side(i, true);
-    if (found != side || determinant != of_zero) return wrong;
-    if (are_floats(i) && (side_found<float>(i) != side || determinant_found<float>(i) != of_zero))
-      return wrong;
-    const ExactScope scope;
-    return side_found<Exact>(i) == side ? 0 : wrong;
-  } catch (const ContractViolation&) {
-    return all_finite(i) ? wrong : 0;
-  }
+  const Input face(i.begin(), i.begin() + 3 * corners);
+  return std::max(
+      decision_error(
+          i, [](const auto& numbers) { return side_found(numbers); }, exact_side),
+      decision_error(face, [](const auto& numbers) { return -determinant_found(numbers); }, exact_side));
 }
 
 // --- Outlines in the picture
 
 /// x, y of four corners.
 Input outline(Kind kind, Random& random) {
-  Input input(2 * corners);
-  for (double& x : input) x = number(kind == Kind::refused ? Kind::random : kind, random);
+  Input input = numbers_to_place(kind, random, 2 * corners, 2 * corners);
   if (kind == Kind::near_degenerate || kind == Kind::grazing) {
     for (std::size_t c = 2; c < corners; ++c) {
       const double t = random.uniform(-2, 2);
@@ -177,17 +120,14 @@ Input outline(Kind kind, Random& random) {
         input[2 * c + k] = nudged(input[k] + t * (input[2 + k] - input[k]), random);
     }
   }
-  if (kind == Kind::refused) input[static_cast<std::size_t>(random.uniform_int(0, 7))] = std::nan("");
   return input;
 }
 
 template <class T>
-int turn_found(const Input& i) {
-  std::vector<glm::vec<2, T>> ring;
-  for (std::size_t k = 0; k < corners; ++k)
-    ring.push_back({static_cast<T>(i[2 * k]), static_cast<T>(i[2 * k + 1])});
+int turn_found(const std::vector<T>& numbers) {
+  const auto ring = points_in<2>(numbers, corners);
   const std::vector<Outline<T>> faces{ring};
-  return sign_found<T>([&](const auto& draw, const auto& watch) { screen_area<T>(faces, draw, watch); });
+  return sign_told<Judged<T>>([&](const auto&... with) { screen_area<T>(faces, with...); });
 }
 int exact_turn(const Input& i) {
   Integer sum = 0;
@@ -198,25 +138,12 @@ int exact_turn(const Input& i) {
   return sum.sign();
 }
 
-double turn_error(const Input& i) {
-  try {
-    const int found = turn_found<double>(i);
-    if (!all_finite(i)) return wrong;
-    const int right = exact_turn(i);
-    if (found != right || (are_floats(i) && turn_found<float>(i) != right)) return wrong;
-    const ExactScope scope;
-    return turn_found<Exact>(i) == right ? 0 : wrong;
-  } catch (const ContractViolation&) {
-    return all_finite(i) ? wrong : 0;
-  }
-}
-
 // --- The normal
 
 /// In multiples of (n - 2)(4 + 2n) u r^2, without underflow.
 double normal_error(const Input& i) {
   if (!all_finite(i)) return 0;
-  const auto ring = face_of<double>(i);
+  const auto ring = points_in<3>(i, corners);
   double reach = 0;
   for (const glm::dvec3 p : ring) {
     for (int k = 0; k < 3; ++k) reach = std::max(reach, std::abs(p[k] - ring[0][k]));
@@ -224,7 +151,7 @@ double normal_error(const Input& i) {
   if (reach < 1e-140 || reach > 1e150) return 0;
   const glm::dvec3 found = newell_normal<double>(ring);
   const ExactScope scope;
-  const auto rationals = face_of<Exact>(i);
+  const auto rationals = points_in<3>(numbers_in<Exact>(i), corners);
   const ExactVec3 right = newell_normal<Exact>(rationals);
   const Exact bound =
       Exact(double((corners - 2) * (4 + 2 * corners)) * 0x1p-53) * Exact(reach) * Exact(reach);
@@ -244,8 +171,11 @@ Domain back_face_culling() {
         .unit = "decisions",
         .bound = 0,
         .numbers = 9,
-        .generate = at_every_scale(generate),
-        .error = error,
+        .generate = at_every_scale(three_corners),
+        .error =
+            [](const Input& i) {
+              return decision_error(i, [](const auto& n) { return facing_found(n); }, exact_sign);
+            },
         .traps =
             {{"no area", {1, 1, 1, 2, 2, 1, 3, 3, 1}},
              {"all corners one", {1, 1, 1, 1, 1, 1, 1, 1, 1}},
@@ -281,7 +211,10 @@ Domain back_face_culling() {
         .bound = 0,
         .numbers = 2 * corners,
         .generate = at_every_scale(outline),
-        .error = turn_error,
+        .error =
+            [](const Input& i) {
+              return decision_error(i, [](const auto& n) { return turn_found(n); }, exact_turn);
+            },
         .traps =
             {{"an area that doubles call 0", {0.5 + u, 0.5 + 2 * u, 12, 12, 24, 24, 0.5 + u, 0.5 + 2 * u}},
              {"six products near 1e16", {1e8, 1e8, 1e8 + 1, 1e8 + 0.1, 1e8 + 0.5, 1e8 + 0.875, 1e8, 1e8}},

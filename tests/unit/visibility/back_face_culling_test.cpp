@@ -183,6 +183,17 @@ std::vector<std::size_t> by_area(const std::vector<Ring2>& rings) {
   return drawn([&](const auto& draw) { screen_area<double>(outlines, draw); });
 }
 
+/// What a method says of its only face.
+template <class T, class Method>
+Judged<T> judged(const Method& method) {
+  std::vector<Judged<T>> all;
+  method([](std::size_t) {},
+         [&]<class Step>(const Step& step) {
+           if constexpr (std::same_as<Step, Judged<T>>) all.push_back(step);
+         });
+  return all.at(0);
+}
+
 /// Front and back of z, then of y, then of x.
 std::vector<Ring> cube() {
   return {
@@ -268,22 +279,17 @@ TEST(BackFaceCulling, SpaceAndPictureAgreeOnFlatFaces) {
       outline.push_back(ExactVec2{p.x, p.y} / depth);
       depths *= depth;
     }
-    Exact product, area;
     const std::vector<Face<Exact>> faces{rationals};
     const std::vector<Outline<Exact>> outlines{outline};
-    int sign = 2, turn = 2;
-    const auto watch = [&]<class Step>(const Step& step) {
-      if constexpr (std::same_as<Step, Judged<Exact>>) product = step.value, sign = step.sign;
-    };
-    const auto watch_area = [&]<class Step>(const Step& step) {
-      if constexpr (std::same_as<Step, Judged<Exact>>) area = step.value, turn = step.sign;
-    };
-    normal_and_view<Exact>(faces, {Exact(0), Exact(0), Exact(10), Exact(1)}, [](std::size_t) {}, watch);
-    screen_area<Exact>(outlines, [](std::size_t) {}, watch_area);
-    EXPECT_EQ(area * depths, product);
-    EXPECT_EQ(sign, turn);
-    EXPECT_EQ(seen_from({ring}, {0, 0, 10, 1}).size(), sign > 0 ? 1u : 0u);
-    fronts += sign > 0;
+    const Eye<Exact> eye{Exact(0), Exact(0), Exact(10), Exact(1)};
+    const auto in_space =
+        judged<Exact>([&](const auto&... with) { normal_and_view<Exact>(faces, eye, with...); });
+    const auto in_picture =
+        judged<Exact>([&](const auto&... with) { screen_area<Exact>(outlines, with...); });
+    EXPECT_EQ(in_picture.value * depths, in_space.value);
+    EXPECT_EQ(in_space.sign, in_picture.sign);
+    EXPECT_EQ(seen_from({ring}, {0, 0, 10, 1}).size(), in_space.sign > 0 ? 1u : 0u);
+    fronts += in_space.sign > 0;
   }
   EXPECT_GT(fronts, 800);
 }
@@ -363,17 +369,6 @@ TEST(BackFaceCulling, FacesThatCannotBe) {
   EXPECT_THROW(homogeneous<double>(spans(no_number), drop), ContractViolation);
 }
 
-TEST(BackFaceCulling, ObservedAndUnobservedAgree) {
-  Recorder<NormalFound<double>, ViewTaken<double>, TriangleAdded<double>, Judged<double>, Finished> seen;
-  const auto body = l_prism();
-  const auto all_spans = spans(body);
-  const Eye<double> eye{4, -3, 5, 1};
-  EXPECT_EQ(drawn([&](const auto& draw) { normal_and_view<double>(all_spans, eye, draw, seen); }),
-            drawn([&](const auto& draw) { normal_and_view<double>(all_spans, eye, draw); }));
-  EXPECT_EQ(drawn([&](const auto& draw) { homogeneous<double>(all_spans, draw, seen); }),
-            drawn([&](const auto& draw) { homogeneous<double>(all_spans, draw); }));
-}
-
 // --- Exhibits of faces
 
 TEST(BackFaceCullingNotes, TheFirstThreeCornersMayTurnTheNormalRound) {
@@ -405,22 +400,14 @@ TEST(BackFaceCullingNotes, TheNormalInViewSpaceForgetsThePerspective) {
   EXPECT_NEAR(area_after_division(clip(faces[0][0]), clip(faces[0][1]), clip(faces[0][2])), 1.0 / 6, 1e-12);
 }
 
-double value_of(const std::vector<double>& values) { return values.at(0); }
-
 TEST(BackFaceCullingNotes, TheShoelacesFirstTermIsMisprinted) {
   // E002-10, G002-08
   const Ring2 triangle{{1, 1}, {5, 2}, {2, 6}};
   const std::vector<Outline<double>> outlines{triangle};
-  std::vector<double> right, wrong;
-  const auto keep = [](std::vector<double>& values) {
-    return [&values]<class Step>(const Step& step) {
-      if constexpr (std::same_as<Step, Judged<double>>) values.push_back(step.value);
-    };
-  };
-  screen_area<double>(outlines, [](std::size_t) {}, keep(right));
-  misprinted_shoelace<double>(outlines, [](std::size_t) {}, keep(wrong));
-  EXPECT_EQ(value_of(right), 19);
-  EXPECT_EQ(value_of(wrong), 18);
+  const auto right = [&](const auto&... with) { screen_area<double>(outlines, with...); };
+  const auto wrong = [&](const auto&... with) { misprinted_shoelace<double>(outlines, with...); };
+  EXPECT_EQ(judged<double>(right).value, 19);
+  EXPECT_EQ(judged<double>(wrong).value, 18);
   // A thin one comes out with the wrong sign
   const Ring2 thin{{2, 1}, {6, 3}, {10, 5.25}};
   EXPECT_EQ(by_area({thin}).size(), 1u);
@@ -433,14 +420,9 @@ TEST(BackFaceCullingNotes, SixProductsCancelFarFromTheOrigin) {
   // E002-12: a doubled area of 0.825; from 1e8 on 0 is left
   const auto value = [](double far) {
     const Ring2 t{{far, far}, {far + 1, far + 0.1}, {far + 0.5, far + 0.875}};
-    std::vector<double> values;
-    six_products<double>(
-        std::vector<Outline<double>>{t}, [](std::size_t) {},
-        [&]<class Step>(const Step& step) {
-          if constexpr (std::same_as<Step, Judged<double>>) values.push_back(step.value);
-        });
+    const std::vector<Outline<double>> outlines{t};
     EXPECT_EQ(by_area({t}).size(), 1u);
-    return values.at(0);
+    return judged<double>([&](const auto&... with) { six_products<double>(outlines, with...); }).value;
   };
   EXPECT_NEAR(value(0), 0.825, 1e-15);
   EXPECT_EQ(value(1e8), 0);

@@ -5,6 +5,7 @@
 #include "visibility/back_face_culling/back_face_culling.hpp"
 
 #include "stories/checking.hpp"
+#include "stories/past.hpp"
 #include "stories/visibility/back_face_culling_drawing.hpp"
 #include "visibility/back_face_culling/back_face_culling_notes.hpp"
 
@@ -20,57 +21,45 @@ constexpr Extent space_place{{0.4, 10.4}, {35.6, 25.8}}, clip_place{{0.4, 10.4},
 /// What a method goes by.
 enum class By { product, area, determinant, depth };
 
-class CullingStory {
+constexpr auto drop = [](std::size_t) {};
+
+/// The signs that the exact method finds.
+std::vector<int> exact_signs(const Task& task) {
+  std::vector<int> signs;
+  normal_and_view<double>(spans_of(task.rings), task.eye, drop, [&]<class Step>(const Step& step) {
+    if constexpr (std::same_as<Step, Judged<double>>) signs.push_back(step.sign);
+  });
+  return signs;
+}
+
+class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<ViewTaken<double>>,
+                                 Finer<TriangleAdded<double>>, Judged<double>, Finished> {
  public:
-  CullingStory(const Words& words, const Task& task, By by, bool three_corners = false)
+  CullingStory(const Words& words, const Task& task, By by, bool faulty)
       : words_(words),
         task_(task),
         by_(by),
-        three_corners_(three_corners),
+        faulty_(faulty),
+        right_(faulty ? exact_signs(task) : std::vector<int>{}),
         space_(task, space_in(by), by == By::determinant),
-        picture_(task, in_space() ? picture_place : large_place, by == By::determinant),
-        signs_(task.faces.size()) {}
+        picture_(task, in_space() ? picture_place : large_place, by == By::determinant) {}
 
-  /// What the exact method says, where this one may be wrong.
-  void compare_with(std::vector<int> right) { right_ = std::move(right); }
+  dvec2 at(dvec3 p) const { return space_.at(p); }
 
-  const SpacePicture& space() const { return space_; }
-
-  void show(Board& board, const steps::Started&) { put(board); }
   Event say(const steps::Started&) const {
     constexpr std::array<std::string_view, 4> texts{"started.product", "started.area", "started.determinant",
                                                     "started.depth"};
-    return {.text = texts[static_cast<std::size_t>(by_)],
-            .count = std::ssize(task_.faces),
-            .begins = true,
-            .level = Level::idea};
-  }
-
-  void show(Board& board, const NormalFound<double>& n) {
-    turn_to(n.face);
-    normal_ = n.normal;
-    // View space is mirrored: there the cross product points inwards
-    if (by_ == By::depth) {
-      const Frame<double>& f = task_.frame;
-      drawn_normal_ = -(n.normal.x * f.right + n.normal.y * f.up + n.normal.z * f.forward);
-    } else {
-      drawn_normal_ = n.normal;
-    }
-    put(board);
+    return {
+        .text = texts[static_cast<std::size_t>(by_)], .count = std::ssize(task_.faces), .level = Level::idea};
   }
   Event say(const NormalFound<double>& n) const {
-    std::string_view text = by_ == By::depth ? "normal.view" : three_corners_ ? "normal.three" : "normal";
-    if (n.normal == dvec3{0}) text = "normal.none";
-    return {.text = text,
+    return {.text = n.normal == dvec3{0} ? "normal.none"
+                    : by_ == By::depth   ? "normal.view"
+                    : faulty_            ? "normal.three"
+                                         : "normal",
             .facts = fields_of(n.normal),
             .words = {{"name", name()}, {"N", n.normal}},
             .key = name()};
-  }
-
-  void show(Board& board, const ViewTaken<double>& v) {
-    view_ = v.view;
-    at_ = v.at;
-    board.detail(drawing());
   }
   Event say(const ViewTaken<double>& v) const {
     return {.text = task_.distant ? "view.distant" : "view",
@@ -78,87 +67,78 @@ class CullingStory {
             .words = {{"name", name()}, {"V", v.view}, {"E", dvec3(task_.eye)}, {"P", v.at}},
             .key = name()};
   }
-
-  void show(Board& board, const TriangleAdded<double>& t) {
-    if (t.corner == 1) turn_to(t.face);
-    triangle_ = t;
-    board.detail(drawing());
-  }
   Event say(const TriangleAdded<double>& t) const {
     return {.text = t.corner == 1 ? "triangle.first" : "triangle",
             .facts = {{"area", t.area}, {"sum", t.sum}},
-            .words = {{"name", name()}, {"area", t.area}, {"sum", t.sum}},
+            .words = {{"name", name()}},
             .key = name()};
-  }
-
-  void show(Board& board, const Judged<double>& j) {
-    if (j.face != face_) turn_to(j.face);
-    triangle_.reset();
-    signs_[j.face] = j.sign;
-    judged_ = true;
-    put(board);
   }
   Event say(const Judged<double>& j) const {
     constexpr std::array<const char*, 3> branches{"back", "edge on", "front"};
-    constexpr std::array<std::string_view, 3> sides{"side.back", "side.edge_on", "side.front"};
-    constexpr std::array<std::array<std::string_view, 3>, 4> texts{
-        {{"product.back", "product.edge_on", "product.front"},
-         {"area.back", "area.edge_on", "area.front"},
-         {"determinant.back", "determinant.edge_on", "determinant.front"},
-         {"depth.back", "depth.edge_on", "depth.front"}}};
+    constexpr std::array<const char*, 4> texts{"product.", "area.", "determinant.", "depth."};
+    const std::vector<std::string> sides{"back", "edge_on", "front"};
     const auto side = static_cast<std::size_t>(j.sign + 1);
-    const bool rounded = detail::sign_of(j.value) != j.sign;
-    const std::string answer = words_.say(sides[side]);
-    Event event{.text = rounded ? "rounded" : texts[static_cast<std::size_t>(by_)][side],
-                .facts = {{"value", j.value}, {"sign", j.sign}},
-                .words = {{"name", name()}, {"value", j.value}, {"answer", answer}},
-                .key = name(),
-                .decides = Decision{words_.say("question", {{"name", name()}}),
-                                    {words_.say(sides[0]), words_.say(sides[1]), words_.say(sides[2])},
-                                    side,
-                                    branches[side]}};
+    const auto answers = mapped(sides, [&](const auto& key) { return words_.say("side." + key); });
+    Event event{
+        .text = detail::sign_of(j.value) != j.sign ? "rounded"
+                                                   : texts[static_cast<std::size_t>(by_)] + sides[side],
+        .facts = {{"value", j.value}, {"sign", j.sign}},
+        .words = {{"name", name()}, {"answer", answers[side]}, {"what", faulty_ ? "2A" : "det"}},
+        .row = {name(), j.value, answers[side]},
+        .key = name(),
+        .decides = Decision{words_.say("question", {{"name", name()}}), answers, side, branches[side]}};
     if (by_ == By::product) {
       event.words.push_back({"terms", terms()});
-      event.row = {name(), normal_, view_.value_or(dvec3{0}), j.value, answer};
-    } else if (by_ == By::depth) {
-      event.row = {name(), normal_, j.value, answer};
-    } else {
-      event.words.push_back({"what", right_.empty() ? "det" : "2A"});
-      event.row = {name(), j.value, answer};
+      event.row.insert(event.row.begin() + 1, {normal(), taken_view().value_or(dvec3{0})});
     }
+    if (by_ == By::depth) event.row.insert(event.row.begin() + 1, normal());
     return event;
-  }
-
-  void show(Board& board, const Finished&) {
-    face_ = none;
-    ended_ = true;
-    if (right_.empty()) hidden_ = hidden_front();
-    put(board);
   }
   Event say(const Finished& f) const {
     Event event{.text = "finished",
                 .facts = {{"tests", static_cast<std::int64_t>(f.tests)},
                           {"drawn", static_cast<std::int64_t>(f.drawn)}},
-                .words = {{"tests", f.tests}, {"drawn", f.drawn}, {"skipped", f.tests - f.drawn}}};
+                .words = {{"skipped", f.tests - f.drawn}}};
+    const auto tell = [&](std::string_view text, std::size_t face) {
+      event.text = text;
+      event.words.push_back({"name", task_.faces[face].name});
+      return event;
+    };
     for (std::size_t i = 0; i < right_.size(); ++i) {
-      const bool draws = *signs_[i] > 0, should = right_[i] > 0;
-      if (draws == should) continue;
-      event.text = draws ? "finished.drawn_wrongly" : "finished.skipped_wrongly";
-      event.words.push_back({"name", task_.faces[i].name});
-      return event;
+      const bool draws = sign_of(i) > 0;
+      if (draws != (right_[i] > 0))
+        return tell(draws ? "finished.drawn_wrongly" : "finished.skipped_wrongly", i);
     }
-    if (!right_.empty()) return event;
-    for (std::size_t i = 0; i < task_.faces.size(); ++i) {
-      if (faces_task::is_flat(task_.faces[i].points)) continue;
-      event.text = "finished.not_flat";
-      event.words.push_back({"name", task_.faces[i].name});
-      return event;
+    if (faulty_) return event;
+    for (std::size_t i = 0; i < task_.rings.size(); ++i) {
+      if (!faces_task::is_flat(task_.rings[i])) return tell("finished.not_flat", i);
     }
-    if (hidden_) {
-      event.text = "finished.hidden";
-      event.words.push_back({"name", task_.faces[hidden_->first].name});
-    }
+    if (const auto hidden = hidden_front()) return tell("finished.hidden", hidden->first);
     return event;
+  }
+
+  View draw() const {
+    View view;
+    std::vector<Look> looks;
+    for (std::size_t i = 0; i < task_.faces.size(); ++i) looks.push_back(look_of(i));
+    space_.add(view, looks);
+    picture_.add(view, looks);
+    if (by_ == By::area) picture_.add_names(view, looks);
+    if (by_ == By::area || !picture_.empty())
+      add_caption(view, "z caption", in_space() ? picture_place : beside_place,
+                  words_.say(by_ == By::area          ? "caption.space"
+                             : by_ == By::determinant ? "caption.divided"
+                                                      : "caption.picture"));
+    if (now<Finished>() && in_space() && !faulty_) {
+      if (const auto hidden = hidden_front()) space_.add_sight(view, hidden->second);
+    }
+    if (face() == none) return view;
+    if (by_ == By::product || by_ == By::depth)
+      add_plane(view);
+    else
+      add_turn(view);
+    if (by_ == By::determinant) add_depths(view);
+    return view;
   }
 
  private:
@@ -169,35 +149,48 @@ class CullingStory {
     return by == By::determinant ? clip_place : space_place;
   }
   bool in_space() const { return by_ != By::area; }
-  const std::string& name() const { return task_.faces[face_].name; }
-  void turn_to(std::size_t face) {
-    face_ = face;
-    normal_ = drawn_normal_ = dvec3{0};
-    view_.reset();
-    triangle_.reset();
-    judged_ = false;
+
+  // --- What was told so far: the faces come in turn
+
+  const Judged<double>* judged() const { return now<Judged<double>>(); }
+  std::size_t face() const {
+    if (now<steps::Started>() || now<Finished>()) return none;
+    return all<Judged<double>>().size() - (judged() ? 1 : 0);
+  }
+  const std::string& name() const { return task_.faces[face()].name; }
+  std::optional<int> sign_of(std::size_t face) const {
+    const auto& judged = all<Judged<double>>();
+    return face < judged.size() ? std::optional(judged[face].sign) : std::nullopt;
+  }
+  dvec3 normal() const { return last<NormalFound<double>>()->normal; }
+  /// In the world.
+  dvec3 drawn_normal() const {
+    const dvec3 n = normal();
+    // View space is mirrored: there the cross product points inwards
+    if (by_ == By::depth)
+      return -(n.x * task_.frame.right + n.y * task_.frame.up + n.z * task_.frame.forward);
+    return n;
+  }
+  std::optional<dvec3> taken_view() const {
+    const auto* taken = since<ViewTaken<double>, NormalFound<double>>();
+    return taken ? std::optional(taken->view) : std::nullopt;
   }
   /// "0·1 + 4·(−2) + 4·3".
   std::string terms() const {
+    const dvec3 view = taken_view().value_or(dvec3{0});
     std::string sum;
     for (int k = 0; k < 3; ++k) {
-      const std::string first = figure_real(normal_[k]);
-      sum +=
-          (k > 0 ? " + " + figure_factor(first) : first) + "·" + figure_factor(view_.value_or(dvec3{0})[k]);
+      const std::string first = figure_real(normal()[k]);
+      sum += (k > 0 ? " + " + figure_factor(first) : first) + "·" + figure_factor(view[k]);
     }
     return sum;
   }
   /// A face that is drawn, and a place on its border that another one hides from the eye.
   std::optional<std::pair<std::size_t, dvec3>> hidden_front() const {
-    std::vector<Ring> rings;
-    for (const NamedFace& face : task_.faces) rings.push_back(face.points);
-    const HiddenLines lines(rings,
-                            task_.distant ? distant_viewer(dvec3(task_.eye)) : viewer_at(dvec3(task_.eye)),
-                            2 * task_.radius);
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-      if (signs_[i].value_or(0) <= 0) continue;
-      for (std::size_t k = 0; k < rings[i].size(); ++k) {
-        const dvec3 a = rings[i][k], b = rings[i][(k + 1) % rings[i].size()];
+    const HiddenLines lines(task_.rings, task_.eye, 2 * task_.radius);
+    for (std::size_t i = 0; i < task_.rings.size(); ++i) {
+      if (sign_of(i).value_or(0) <= 0) continue;
+      for (const auto& [a, b] : sides_of(task_.rings[i])) {
         for (const SightPiece& piece : lines.pieces(a, b)) {
           if (piece.hidden) return std::pair(i, a + 0.5 * (piece.from + piece.to) * (b - a));
         }
@@ -206,58 +199,29 @@ class CullingStory {
     return std::nullopt;
   }
 
-  Look look_of(std::size_t i) const {
-    if (i == face_ && !judged_) return {Role::current, true, false, true, 3};
-    if (!signs_[i]) return {Role::past, false, false, in_space(), 1};
-    const bool front = *signs_[i] > 0;
-    if (!front) return {Role::rejected, false, true, i == face_, 0};
-    return {ended_ ? Role::result : Role::accepted, true, false, true, 2};
-  }
+  // --- The drawing
 
-  void put(Board& board) const { board.milestone(drawing()); }
-  View drawing() const {
-    View view;
-    std::vector<Look> looks;
-    for (std::size_t i = 0; i < task_.faces.size(); ++i) looks.push_back(look_of(i));
-    space_.add(view, looks);
-    picture_.add(view, looks);
-    if (by_ == By::area) picture_.add_names(view, looks);
-    if (by_ == By::area || !picture_.empty()) {
-      const std::string caption = by_ == By::area          ? words_.say("caption.space")
-                                  : by_ == By::determinant ? words_.say("caption.divided")
-                                                           : words_.say("caption.picture");
-      const Extent& beside = in_space() ? picture_place : beside_place;
-      view.add({"z caption", Role::guide, Text{{beside.centre().x, beside.upper.y + 1.1}, caption}});
-    }
-    if (hidden_ && in_space()) space_.add_sight(view, hidden_->second);
-    if (face_ == none) return view;
-    if (by_ == By::area || by_ == By::determinant) {
-      const Role role = !judged_ ? Role::current : *signs_[face_] > 0 ? Role::accepted : Role::rejected;
-      if (triangle_)
-        picture_.add_triangle(view, face_, triangle_->corner,
-                              triangle_->area < 0 ? Role::rejected : Role::accepted);
-      picture_.add_turn(view, face_, role, by_ == By::determinant);
-    }
-    if (by_ == By::determinant) add_depths(view);
-    if (by_ == By::product || by_ == By::depth) add_plane(view);
-    return view;
+  Look look_of(std::size_t i) const {
+    if (i == face() && !judged()) return {Role::current, true, false, true, 3};
+    if (!sign_of(i)) return {Role::past, false, false, in_space(), 1};
+    if (*sign_of(i) <= 0) return {Role::rejected, false, true, i == face(), 0};
+    return {now<Finished>() ? Role::result : Role::accepted, true, false, true, 2};
+  }
+  void add_turn(View& view) const {
+    if (const auto* triangle = since<TriangleAdded<double>, Judged<double>>())
+      picture_.add_triangle(view, face(), triangle->corner,
+                            triangle->area < 0 ? Role::rejected : Role::accepted);
+    const Role role = !judged() ? Role::current : judged()->sign > 0 ? Role::accepted : Role::rejected;
+    picture_.add_turn(view, face(), role, by_ == By::determinant);
   }
   void add_plane(View& view) const {
-    const dvec3 p = task_.faces[face_].points[0];
-    std::optional<dvec3> to_eye = view_;
-    if (by_ == By::depth && judged_) to_eye = view_vector<double>(std::span(&p, 1), task_.eye);
-    space_.add_normal(view, face_, drawn_normal_);
-    if (to_eye) space_.add_view(view, face_);
-    std::string angle;
-    if (to_eye && drawn_normal_ != dvec3{0} && *to_eye != dvec3{0}) {
-      const double cosine = std::clamp(glm::dot(unit_vector(drawn_normal_), unit_vector(*to_eye)), -1.0, 1.0);
-      angle = fmt::format("{:.0f}°", gradus::acos(cosine) * 57.29577951308232);
-    }
-    std::optional<dvec3> along_z;
+    std::optional<dvec3> to_eye = taken_view(), along_z;
     if (by_ == By::depth) along_z = -task_.frame.forward;
-    add_edge_on(view, lower_place, drawn_normal_, to_eye, along_z, angle);
-    view.add({"z caption plane", Role::guide,
-              Text{{lower_place.centre().x, lower_place.upper.y + 1.1}, words_.say("caption.plane")}});
+    if (by_ == By::depth && judged()) to_eye = view_vector<double>(task_.rings[face()], task_.eye);
+    space_.add_normal(view, face(), drawn_normal());
+    if (to_eye) space_.add_view(view, face());
+    add_edge_on(view, lower_place, drawn_normal(), to_eye, along_z);
+    add_caption(view, "z caption plane", lower_place, words_.say("caption.plane"));
   }
   /// Where the corners of the face lie before the eye and behind it.
   void add_depths(View& view) const {
@@ -272,33 +236,23 @@ class CullingStory {
     const double y = lower_place.centre().y;
     const NumberLine line({lower_place.lower.x + 0.6, y}, {lower_place.upper.x - 0.6, y}, least, most);
     line.add_to(view, "w", "w");
-    const Ring& ring = rings[face_];
+    const Ring& ring = rings[face()];
     for (std::size_t k = 0; k < ring.size(); ++k)
       view.add_named(fmt::format("w corner {:02}", k), Role::current, line.at(ring[k].z),
                      fmt::format("{}", k + 1));
-    view.add({"z caption depth", Role::guide,
-              Text{{lower_place.centre().x, lower_place.upper.y + 1.1}, words_.say("caption.depth")}});
+    add_caption(view, "z caption depth", lower_place, words_.say("caption.depth"));
   }
 
   const Words& words_;
   const Task& task_;
   const By by_;
-  const bool three_corners_;
+  const bool faulty_;
+  const std::vector<int> right_;  ///< what the exact method says, where this one may be wrong
   SpacePicture space_;
   EyePicture picture_;
-  std::vector<std::optional<int>> signs_;
-  std::vector<int> right_{};
-  std::size_t face_ = none;
-  dvec3 normal_{0}, drawn_normal_{0}, at_{0};
-  std::optional<dvec3> view_{};
-  std::optional<TriangleAdded<double>> triangle_{};
-  std::optional<std::pair<std::size_t, dvec3>> hidden_{};
-  bool judged_ = false, ended_ = false;
 };
 
 // --- The methods
-
-constexpr auto drop = [](std::size_t) {};
 
 void set_up(Narrator& narrator, const Task& task, By by, bool faulty) {
   narrator.paper(paper_width, paper_height);
@@ -316,89 +270,54 @@ void set_up(Narrator& narrator, const Task& task, By by, bool faulty) {
                    {Role::result, "result"}});
 }
 
-/// The signs that the exact method finds.
-std::vector<int> exact_signs(const Task& task) {
-  std::vector<int> signs;
-  normal_and_view<double>(task.world(), task.eye, drop, [&]<class Step>(const Step& step) {
-    if constexpr (std::same_as<Step, Judged<double>>) signs.push_back(step.sign);
-  });
-  return signs;
+/// Every corner must have its place in the picture; behind the eye it has one, too.
+void require_places(const Arguments& arguments, const Task& task, bool behind_too) {
+  if (task.depths_are([&](double w) { return behind_too ? w != 0 : w > 1e-6 * task.radius; })) return;
+  refuse(arguments, {"eye", "target", "faces"},
+         behind_too ? "corners before the eye or behind it expected, found one beside it"
+                    : "corners before the eye expected, found one behind it: clip first");
 }
 
-/// Every corner must have its place in the picture.
-void require_before_the_eye(const Narrator& narrator, const Task& task, bool behind_too = false) {
-  for (const Ring& ring : task.clip()) {
-    for (const dvec3 p : ring) {
-      if (behind_too ? p.z != 0 : p.z > 1e-6 * task.radius) continue;
-      refuse(narrator.arguments(), {"eye", "target", "faces"},
-             behind_too ? "corners before the eye or behind it expected, found one beside it"
-                        : "corners before the eye expected, found one behind it: clip first");
-    }
-  }
+/// What a method looks at.
+template <By by>
+auto seen_by(const Task& task) {
+  if constexpr (by == By::area) return task.outlines();
+  if constexpr (by == By::determinant) return task.clip();
+  if constexpr (by == By::depth) return task.view;
+  if constexpr (by == By::product) return task.rings;
 }
 
-template <class Run>
-void tell_method(Narrator& narrator, By by, bool faulty, const Run& run) {
+template <By by, auto method, bool faulty = false>
+void tell_method(Narrator& narrator) {
   const Task task = task_of(narrator.arguments());
   set_up(narrator, task, by, faulty);
-  if (by == By::area) require_before_the_eye(narrator, task);
-  CullingStory story(narrator.words(), task, by, faulty && by == By::product);
-  if (faulty) story.compare_with(exact_signs(task));
-  narrator.handles("faces", [&](dvec3 p) { return story.space().at(p); });
-  if (task.eye_is_near()) narrator.handles("eye", [&](dvec3 p) { return story.space().at(p); });
+  // A determinant needs no division; by mistake it comes after one
+  if (by == By::area || (by == By::determinant && faulty))
+    require_places(narrator.arguments(), task, by == By::determinant);
+  CullingStory story(narrator.words(), task, by, faulty);
+  const auto at = [&](dvec3 p) { return story.at(p); };
+  narrator.handles("faces", at);
+  if (task.eye_is_near()) narrator.handles("eye", at);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  std::size_t drawn = 0;
-  run(task, [&](std::size_t) { ++drawn; }, watch);
-  narrator.result({{"tests", std::ssize(task.faces)}, {"drawn", static_cast<std::int64_t>(drawn)}});
+  std::int64_t drawn = 0;
+  const auto draw = [&](std::size_t) { ++drawn; };
+  const auto rings = seen_by<by>(task);
+  if constexpr (by == By::product)
+    method(spans_of(rings), task.eye, draw, watch);
+  else
+    method(spans_of(rings), draw, watch);
+  narrator.result({{"tests", std::ssize(task.faces)}, {"drawn", drawn}});
 }
 
-void tell_normal_and_view(Narrator& narrator) {
-  tell_method(narrator, By::product, false, [](const Task& task, const auto& draw, const auto& watch) {
-    normal_and_view<double>(task.world(), task.eye, draw, watch);
-  });
-}
-void tell_first_three(Narrator& narrator) {
-  tell_method(narrator, By::product, true, [](const Task& task, const auto& draw, const auto& watch) {
-    first_three_corners<double>(task.world(), task.eye, draw, watch);
-  });
-}
-void tell_screen_area(Narrator& narrator) {
-  tell_method(narrator, By::area, false, [](const Task& task, const auto& draw, const auto& watch) {
-    const auto outlines = task.outlines();
-    screen_area<double>(spans_of(outlines), draw, watch);
-  });
-}
-void tell_misprinted(Narrator& narrator) {
-  tell_method(narrator, By::area, true, [](const Task& task, const auto& draw, const auto& watch) {
-    const auto outlines = task.outlines();
-    misprinted_shoelace<double>(spans_of(outlines), draw, watch);
-  });
-}
-void tell_six_products(Narrator& narrator) {
-  tell_method(narrator, By::area, true, [](const Task& task, const auto& draw, const auto& watch) {
-    const auto outlines = task.outlines();
-    six_products<double>(spans_of(outlines), draw, watch);
-  });
-}
-void tell_homogeneous(Narrator& narrator) {
-  tell_method(narrator, By::determinant, false, [](const Task& task, const auto& draw, const auto& watch) {
-    const auto rings = task.clip();
-    homogeneous<double>(spans_of(rings), draw, watch);
-  });
-}
-void tell_after_division(Narrator& narrator) {
-  tell_method(narrator, By::determinant, true, [&](const Task& task, const auto& draw, const auto& watch) {
-    require_before_the_eye(narrator, task, true);
-    const auto rings = task.clip();
-    after_division<double>(spans_of(rings), draw, watch);
-  });
-}
-void tell_eye_space_normal(Narrator& narrator) {
-  tell_method(narrator, By::depth, true, [](const Task& task, const auto& draw, const auto& watch) {
-    eye_space_normal<double>(spans_of(task.view), draw, watch);
-  });
-}
+constexpr auto by_product = [](const auto&... with) { normal_and_view<double>(with...); };
+constexpr auto by_three = [](const auto&... with) { first_three_corners<double>(with...); };
+constexpr auto by_area = [](const auto&... with) { screen_area<double>(with...); };
+constexpr auto by_misprint = [](const auto&... with) { misprinted_shoelace<double>(with...); };
+constexpr auto by_six = [](const auto&... with) { six_products<double>(with...); };
+constexpr auto by_determinant = [](const auto&... with) { homogeneous<double>(with...); };
+constexpr auto by_division = [](const auto&... with) { after_division<double>(with...); };
+constexpr auto by_depth = [](const auto&... with) { eye_space_normal<double>(with...); };
 
 const Checking& checking() {
   static const Checking known{
@@ -430,14 +349,26 @@ const TopicEntry& entry() {
        .chapter = "visibility",
        .aliases = {"backface culling", "back-face removal", "facing"},
        .summary = "faces that turn their backs to the eye are skipped, one test each",
-       .methods = {{.name = "normal_and_view", .standing = Standing::taught, .tell = tell_normal_and_view},
-                   {.name = "screen_area", .tell = tell_screen_area},
-                   {.name = "homogeneous", .tell = tell_homogeneous},
-                   {.name = "first_three_corners", .standing = Standing::faulty, .tell = tell_first_three},
-                   {.name = "eye_space_normal", .standing = Standing::faulty, .tell = tell_eye_space_normal},
-                   {.name = "after_division", .standing = Standing::faulty, .tell = tell_after_division},
-                   {.name = "misprinted_shoelace", .standing = Standing::faulty, .tell = tell_misprinted},
-                   {.name = "six_products", .standing = Standing::faulty, .tell = tell_six_products}},
+       .methods = {{.name = "normal_and_view",
+                    .standing = Standing::taught,
+                    .tell = tell_method<By::product, by_product>},
+                   {.name = "screen_area", .tell = tell_method<By::area, by_area>},
+                   {.name = "homogeneous", .tell = tell_method<By::determinant, by_determinant>},
+                   {.name = "first_three_corners",
+                    .standing = Standing::faulty,
+                    .tell = tell_method<By::product, by_three, true>},
+                   {.name = "eye_space_normal",
+                    .standing = Standing::faulty,
+                    .tell = tell_method<By::depth, by_depth, true>},
+                   {.name = "after_division",
+                    .standing = Standing::faulty,
+                    .tell = tell_method<By::determinant, by_division, true>},
+                   {.name = "misprinted_shoelace",
+                    .standing = Standing::faulty,
+                    .tell = tell_method<By::area, by_misprint, true>},
+                   {.name = "six_products",
+                    .standing = Standing::faulty,
+                    .tell = tell_method<By::area, by_six, true>}},
        .default_method = "normal_and_view",
        .columns = {{"face", false}, {"N"}, {"V"}, {"product"}, {"side", false}},
        .parameters = {faces,

@@ -7,6 +7,7 @@
 
 #include "stories/outline.hpp"
 #include "stories/parameters.hpp"
+#include "stories/rings.hpp"
 #include "stories/space_drawing.hpp"
 #include "stories/telling.hpp"
 
@@ -56,14 +57,19 @@ inline Reader reader_of(const Arguments& arguments) {
   return Reader(towards);
 }
 
-/// The faces; each must have an inside that a figure can show.
-inline std::vector<NamedFace> faces_of(const Arguments& arguments) {
-  std::vector<NamedFace> faces = arguments.faces("faces");
+/// Within which all corners lie.
+inline Bounds bounds_of(const std::vector<NamedFace>& faces) {
   Bounds bounds;
   for (const NamedFace& face : faces) {
     for (const dvec3 p : face.points) bounds.add(p);
   }
-  const double size = bounds.radius();
+  return bounds;
+}
+
+/// The faces; each must have an inside that a figure can show.
+inline std::vector<NamedFace> faces_of(const Arguments& arguments) {
+  std::vector<NamedFace> faces = arguments.faces("faces");
+  const double size = bounds_of(faces).radius();
   for (const NamedFace& face : faces) {
     if (glm::length(area_vector(face.points)) > 1e-6 * size * size) continue;
     refuse(arguments, {"faces"}, fmt::format("faces with an inside expected, found '{}' without", face.name));
@@ -109,14 +115,13 @@ inline std::vector<NamedPart> parts_of(const std::vector<NamedFace>& faces) {
 /// A place inside a convex ring where nothing hides it, for its name; its middle where all of it is hidden.
 template <class IsClear>
 dvec3 seen_place(const std::vector<dvec3>& ring, const HiddenLines& lines, IsClear is_clear) {
-  dvec3 middle{0};
-  for (const dvec3 p : ring) middle += p / static_cast<double>(ring.size());
+  const dvec3 middle = middle_of(ring);
   const auto is_seen = [&](dvec3 p, dvec3 from) { return !lines.pieces(from, p).front().hidden; };
   std::vector<dvec3> seen;
   if (is_seen(middle + 1e-3 * (ring[0] - middle), middle)) seen.push_back(middle);
   for (const double part : {0.3, 0.5, 0.7}) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      for (const dvec3 towards : {ring[i], 0.5 * (ring[i] + ring[(i + 1) % ring.size()])}) {
+    for (const auto& [a, b] : sides_of(ring)) {
+      for (const dvec3 towards : {a, 0.5 * (a + b)}) {
         const dvec3 p = middle + part * (towards - middle);
         if (is_seen(p, p - 1e-3 * (p - middle))) seen.push_back(p);
       }

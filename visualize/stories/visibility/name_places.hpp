@@ -8,19 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry.hpp"
+#include "stories/rings.hpp"
 
 namespace gradus {
-
-using Ring2 = std::vector<dvec2>;
 
 /// Twice the area of a ring, > 0 counter-clockwise with y up.
 inline double doubled_area_of(const Ring2& ring) {
   double area = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const dvec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    area += a.x * b.y - a.y * b.x;
-  }
+  for (const auto& [a, b] : sides_of(ring)) area += a.x * b.y - a.y * b.x;
   return area;
 }
 
@@ -28,8 +23,8 @@ inline double doubled_area_of(const Ring2& ring) {
 inline double depth_inside(const Ring2& ring, dvec2 place) {
   const double turn = std::copysign(1.0, doubled_area_of(ring));
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const dvec2 way = ring[(i + 1) % ring.size()] - ring[i], to = place - ring[i];
+  for (const auto& [a, b] : sides_of(ring)) {
+    const dvec2 way = b - a, to = place - a;
     const double length = glm::length(way);
     if (length > 0) least = std::min(least, turn * (way.x * to.y - way.y * to.x) / length);
   }
@@ -49,12 +44,12 @@ inline dvec2 clear_place(const Ring2& ring, const std::vector<Ring2>& others) {
     }
     return least;
   };
-  dvec2 middle{0};
-  for (const dvec2 p : ring) middle += p / static_cast<double>(ring.size());
+  const dvec2 middle = middle_of(ring);
   std::pair best{clearance(middle), middle};
   for (const double part : {0.25, 0.4, 0.55, 0.7, 0.85}) {
-    for (std::size_t i = 0; i < ring.size() && best.first < enough; ++i) {
-      for (const dvec2 towards : {ring[i], 0.5 * (ring[i] + ring[(i + 1) % ring.size()])}) {
+    for (const auto& [a, b] : sides_of(ring)) {
+      if (best.first >= enough) break;
+      for (const dvec2 towards : {a, 0.5 * (a + b)}) {
         const dvec2 place = middle + part * (towards - middle);
         if (const double here = clearance(place); here > best.first) best = {here, place};
       }
