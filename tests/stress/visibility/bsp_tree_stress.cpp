@@ -11,6 +11,7 @@
 
 #include "stress/numbers.hpp"
 #include "stress/scales.hpp"
+#include "stress/visibility/drawing_orders.hpp"
 
 namespace gradus::stress {
 namespace {
@@ -20,6 +21,12 @@ using namespace bsp_tree;
 template <class T>
 glm::vec<3, T> point(const Input& i, std::size_t k) {
   return {T(i[3 * k]), T(i[3 * k + 1]), T(i[3 * k + 2])};
+}
+
+/// By the first three points.
+template <class T>
+Plane<T> plane_of(const Input& i) {
+  return {point<T>(i, 0), point<T>(i, 1), point<T>(i, 2)};
 }
 
 // --- Where planes cut
@@ -41,15 +48,18 @@ Input edge_and_plane(Kind kind, Random& random) {
   return input;
 }
 
+/// Whether the ends of the edge lie on both sides.
+bool is_cut(const Input& i) {
+  if (!all_finite(i)) return false;
+  const auto side = [&](std::size_t k) { return ExactSide{}(plane_of<double>(i), point<double>(i, k)); };
+  return side(3) * side(4) < 0;
+}
+
 double crossing_error(const Input& i) {
-  if (!all_finite(i)) return 0;
-  const Plane<double> plane{point<double>(i, 0), point<double>(i, 1), point<double>(i, 2)};
-  const dvec3 p = point<double>(i, 3), q = point<double>(i, 4);
-  if (ExactSide{}(plane, p) * ExactSide{}(plane, q) >= 0) return 0;
-  const dvec3 at = crossing(plane, p, q);
+  if (!is_cut(i)) return 0;
+  const dvec3 at = crossing(plane_of<double>(i), point<double>(i, 3), point<double>(i, 4));
   const ExactScope scope;
-  const Plane<Exact> same{point<Exact>(i, 0), point<Exact>(i, 1), point<Exact>(i, 2)};
-  const ExactVec3 right = crossing(same, point<Exact>(i, 3), point<Exact>(i, 4));
+  const ExactVec3 right = crossing(plane_of<Exact>(i), point<Exact>(i, 3), point<Exact>(i, 4));
   for (int k = 0; k < 3; ++k) {
     if (at[k] != to_double(right[k])) return wrong;
   }
@@ -110,14 +120,14 @@ double split_error(const Input& i) {
     return 0;
   const dvec3 p = point<double>(i, 3), q = point<double>(i, 4), r = point<double>(i, 5);
   if (glm::cross(q - p, r - p) == dvec3(0)) return 0;
-  const Plane<double> plane{point<double>(i, 0), point<double>(i, 1), point<double>(i, 2)};
+  const Plane<double> plane = plane_of<double>(i);
   const Polygon<double> whole({p, q, r});
   const auto on = sides(plane, whole, ExactSide{});
   if (side_of(on) != Side::both) return 0;
   const auto [front, back] = split(plane, whole, on);
 
   const ExactScope scope;
-  const Plane<Exact> same{point<Exact>(i, 0), point<Exact>(i, 1), point<Exact>(i, 2)};
+  const Plane<Exact> same = plane_of<Exact>(i);
   if (!exact_parts(same, Polygon<Exact>(exactly(whole.corners)), on)) return wrong;
   double largest = 0;
   for (std::size_t k = 9; k < 18; ++k) largest = std::max(largest, std::abs(i[k]));
@@ -170,7 +180,7 @@ bool is_scene(const Input& i) {
   return std::ranges::all_of(i, [](double x) { return std::abs(x) <= 30; }) && i.back() > 6;
 }
 
-/// Along rays to the middle of every part no later polygon may be farther than an earlier one.
+/// Along rays no later polygon may be farther than an earlier one; watched, the order is the same.
 double order_error(const Input& i) {
   if (!is_scene(i)) return 0;
   std::vector<Polygon<double>> polygons;
@@ -179,20 +189,17 @@ double order_error(const Input& i) {
     if (glm::length(glm::cross(b - a, c - a)) < 1e-3) return 0;
     polygons.push_back({{a, b, c}, k});
   }
-  const dvec3 eye = point<double>(i, 3 * triangles);
-  std::vector<Polygon<double>> order;
-  back_to_front(build(polygons), Eye<double>(eye, 1), [&](const auto& part) { order.push_back(part); });
-  for (const auto& part : order) {
-    const dvec3 middle = (part.corners[0] + part.corners[1] + part.corners[2]) / 3.0;
-    double before = std::numeric_limits<double>::infinity();
-    for (const auto& polygon : order) {
-      const auto t = hit(polygon, eye, middle - eye);
-      if (!t || *t <= 0) continue;
-      if (*t > before + 1e-9) return wrong;
-      before = *t;
-    }
-  }
-  return 0;
+  const Eye<double> eye(point<double>(i, 3 * triangles), 1);
+  Parts<double> order, watched, told;
+  back_to_front(build(polygons), eye, into(order));
+  back_to_front(build(polygons, ExactSide{}, [](const auto&) {}), eye, into(watched),
+                as_told<Drawn<double>>(told));
+  const auto hits = [](const Polygon<double>& polygon, dvec3 from, dvec3 way) {
+    const auto t = hit(polygon, from, way);
+    return t && *t > 0 ? t : std::nullopt;
+  };
+  const bool same = are_same(order, watched) && are_same(order, told);
+  return same && covers_none(order, eye, 1e-9, hits) ? 0 : wrong;
 }
 
 }  // namespace
@@ -213,15 +220,7 @@ Domain bsp_tree() {
                    {0, 0, 1, 1, 0, 1, 0, 1, 1, -1e308, 0, -1e308, 1e308, 0, 1e308}},
                   {"an end a last place beside the plane",
                    {0, 0, 1, 1, 0, 1, 0, 1, 1, 3, 4, 1 + 0x1p-52, 5, 6, 0}}},
-        .shares = {{"the plane cuts the edge", 0.1,
-                    [](const Input& i) {
-                      if (!all_finite(i)) return false;
-                      const Plane<double> plane{point<double>(i, 0), point<double>(i, 1),
-                                                point<double>(i, 2)};
-                      return ExactSide{}(plane, point<double>(i, 3)) *
-                                 ExactSide{}(plane, point<double>(i, 4)) <
-                             0;
-                    }}}},
+        .shares = {{"the plane cuts the edge", 0.1, is_cut}}},
        {.name = "split",
         .states =
             "the parts have the whole's area and lie on their sides: exactly in rationals, rounded once "
@@ -240,8 +239,7 @@ Domain bsp_tree() {
                    {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 1, 1, 1, -1, 1 + 0x1p-40, 1, 0.5}}},
         .shares = {{"the plane cuts the triangle", 0.3,
                     [](const Input& i) {
-                      const Plane<double> plane{point<double>(i, 0), point<double>(i, 1),
-                                                point<double>(i, 2)};
+                      const Plane<double> plane = plane_of<double>(i);
                       const std::array on{ExactSide{}(plane, point<double>(i, 3)),
                                           ExactSide{}(plane, point<double>(i, 4)),
                                           ExactSide{}(plane, point<double>(i, 5))};

@@ -11,6 +11,7 @@
 
 #include "stress/numbers.hpp"
 #include "stress/scales.hpp"
+#include "stress/visibility/drawing_orders.hpp"
 
 namespace gradus::stress {
 namespace {
@@ -63,8 +64,10 @@ bool is_scene(const Input& i) {
          (eye[3] == 0 || eye[3] == 1);
 }
 
+/// Nothing of what is no scene.
 template <class T>
 std::optional<std::vector<Polygon<T>>> polygons_of(const Input& i) {
+  if (!all_finite(i) || !is_scene(i)) return std::nullopt;
   std::vector<Polygon<T>> polygons;
   for (std::size_t k = 0; k < triangles; ++k) {
     const auto a = point<T>(i, 3 * k), b = point<T>(i, 3 * k + 1), c = point<T>(i, 3 * k + 2);
@@ -96,31 +99,6 @@ std::optional<Exact> hit(const Polygon<Exact>& polygon, const ExactVec3& from, c
   return t;
 }
 
-/// Along exact rays to the middle of every part no later polygon may be farther than an earlier one.
-double order_error(const Input& i) {
-  if (!all_finite(i) || !is_scene(i)) return 0;
-  const ExactScope scope;
-  const auto polygons = polygons_of<Exact>(i);
-  if (!polygons) return 0;
-  const View<Exact> view = view_of<Exact>(i);
-  std::vector<Polygon<Exact>> order;
-  newell(*polygons, view, [&](const auto& part) { order.push_back(part); });
-  const ExactVec3 eye(view.eye);
-  for (const auto& part : order) {
-    const ExactVec3 middle = (part.corners[0] + part.corners[1] + part.corners[2]) / Exact(3);
-    const bool distant = view.eye.w == Exact{0};
-    const ExactVec3 from = distant ? middle : eye, way = distant ? -eye : middle - eye;
-    std::optional<Exact> before;
-    for (const auto& polygon : order) {
-      const auto t = hit(polygon, from, way);
-      if (!t) continue;
-      if (before && *t > *before) return wrong;
-      before = t;
-    }
-  }
-  return 0;
-}
-
 /// Where a ray meets a part's inside, apart from its border.
 std::optional<double> hit(const Polygon<double>& polygon, dvec3 from, dvec3 way) {
   const auto &a = polygon.plane.a, &b = polygon.plane.b, &c = polygon.plane.c;
@@ -137,32 +115,34 @@ std::optional<double> hit(const Polygon<double>& polygon, dvec3 from, dvec3 way)
   return t;
 }
 
-/// The same where cut corners are rounded, a little inside the parts' borders.
+constexpr auto hits = [](const auto& polygon, const auto& from, const auto& way) {
+  return hit(polygon, from, way);
+};
+
+double order_error(const Input& i) {
+  const ExactScope scope;
+  const auto polygons = polygons_of<Exact>(i);
+  if (!polygons) return 0;
+  const View<Exact> view = view_of<Exact>(i);
+  Parts<Exact> order;
+  newell(*polygons, view, into(order));
+  return covers_none(order, view.eye, Exact(0), hits) ? 0 : wrong;
+}
+
+/// In double, where cut corners are rounded; and the same when it is watched.
 double rounded_error(const Input& i) {
-  if (!all_finite(i) || !is_scene(i)) return 0;
   const auto polygons = polygons_of<double>(i);
   if (!polygons) return 0;
   const View<double> view = view_of<double>(i);
-  std::vector<Polygon<double>> order;
-  newell(*polygons, view, [&](const auto& part) { order.push_back(part); });
-  const dvec3 eye(view.eye);
-  for (const auto& part : order) {
-    const dvec3 middle = (part.corners[0] + part.corners[1] + part.corners[2]) / 3.0;
-    const dvec3 from = view.eye.w == 0 ? middle : eye, way = view.eye.w == 0 ? -eye : middle - eye;
-    double before = std::numeric_limits<double>::infinity();
-    for (const auto& polygon : order) {
-      const auto t = hit(polygon, from, way);
-      if (!t) continue;
-      if (*t > before + 1e-6) return wrong;
-      before = *t;
-    }
-  }
-  return 0;
+  Parts<double> order, watched, told;
+  newell(*polygons, view, into(order));
+  newell(*polygons, view, into(watched), as_told<Drawn<double>>(told));
+  const bool same = are_same(order, watched) && are_same(order, told);
+  return same && covers_none(order, view.eye, 1e-6, hits) ? 0 : wrong;
 }
 
 /// In double the parts of each polygon have its whole area, but for the rounding of cut corners.
 double area_error(const Input& i) {
-  if (!all_finite(i) || !is_scene(i)) return 0;
   const auto polygons = polygons_of<double>(i);
   if (!polygons) return 0;
   std::array<dvec3, triangles> areas{};
@@ -216,38 +196,24 @@ const std::vector<Trap> traps{
 }  // namespace
 
 Domain painter() {
-  const std::vector<Kind> kinds{Kind::random, Kind::ties, Kind::near_degenerate, Kind::grazing};
+  const auto promise = [](std::string name, std::string states, const auto& error, std::int64_t cases) {
+    return Property{.name = std::move(name),
+                    .states = std::move(states),
+                    .unit = "decisions",
+                    .bound = 0,
+                    .numbers = numbers,
+                    .kinds = {Kind::random, Kind::ties, Kind::near_degenerate, Kind::grazing},
+                    .generate = scene,
+                    .error = error,
+                    .traps = traps,
+                    .cases = cases};
+  };
   return {"painter",
-          {{.name = "newell",
-            .states = "no polygon is drawn before one that it covers, judged along exact rays",
-            .unit = "decisions",
-            .bound = 0,
-            .numbers = numbers,
-            .kinds = kinds,
-            .generate = scene,
-            .error = order_error,
-            .traps = traps,
-            .cases = 250},
-           {.name = "rounded",
-            .states = "the same in double, where cut corners are rounded, but for a millionth",
-            .unit = "decisions",
-            .bound = 0,
-            .numbers = numbers,
-            .kinds = kinds,
-            .generate = scene,
-            .error = rounded_error,
-            .traps = traps,
-            .cases = 2'000},
-           {.name = "whole",
-            .states = "the parts of each polygon are the whole of it",
-            .unit = "decisions",
-            .bound = 0,
-            .numbers = numbers,
-            .kinds = kinds,
-            .generate = scene,
-            .error = area_error,
-            .traps = traps,
-            .cases = 2'000}}};
+          {promise("newell", "no polygon is drawn before one that it covers, judged along exact rays",
+                   order_error, 250),
+           promise("rounded", "the same in double, where cut corners are rounded, but for a millionth",
+                   rounded_error, 2'000),
+           promise("whole", "the parts of each polygon are the whole of it", area_error, 2'000)}};
 }
 
 }  // namespace gradus::stress

@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "core/record.hpp"
 #include "support/seed.hpp"
 
 namespace gradus::bsp_tree {
@@ -210,25 +209,6 @@ TEST(BspTree, PartsMakeTheWhole) {
   }
 }
 
-TEST(BspTree, CutsAreTheNearestDoubles) {
-  Random random(test::seed());
-  int cuts = 0;
-  for (int round = 0; round < 300; ++round) {
-    const ExactScope scope;
-    std::array<dvec3, 5> p;
-    for (dvec3& corner : p) corner = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const Plane<double> plane{p[0], p[1], p[2]};
-    if (orient3d(p[0], p[1], p[2], p[3]) * orient3d(p[0], p[1], p[2], p[4]) >= 0) continue;
-    const auto exactly = [](dvec3 q) { return ExactVec3{Exact(q.x), Exact(q.y), Exact(q.z)}; };
-    const ExactVec3 right =
-        crossing(Plane<Exact>{exactly(p[0]), exactly(p[1]), exactly(p[2])}, exactly(p[3]), exactly(p[4]));
-    const dvec3 at = crossing(plane, p[3], p[4]);
-    EXPECT_EQ(at, (dvec3{to_double(right.x), to_double(right.y), to_double(right.z)}));
-    ++cuts;
-  }
-  EXPECT_GT(cuts, 40);
-}
-
 TEST(BspTree, CutsHalfwayBetweenTwoDoublesAreRoundedToEven) {
   Random random(test::seed());
   for (int round = 0; round < 300; ++round) {
@@ -378,27 +358,6 @@ TEST(BspTree, AnUnevenEdgeDecidesNothing) {
     for (const auto& part : node.polygons)
       if (&node != &tree[0] && &node == &tree[tree[0].in_front]) in_front += area_of(part.corners);
   EXPECT_NEAR(in_front, 3, 1e-12);
-}
-
-TEST(BspTree, WatchingChangesNothing) {
-  Random random(test::seed());
-  const auto scene = random_scene(random, 12);
-  Recorder<PlaneTaken<double>, Placed<double>, Split<double>, Built> recorder;
-  const Tree<double> watched = build(scene, ExactSide{}, recorder), plain = build(scene);
-  ASSERT_EQ(watched.size(), plain.size());
-  for (std::size_t i = 0; i < plain.size(); ++i) {
-    ASSERT_EQ(watched[i].polygons.size(), plain[i].polygons.size());
-    for (std::size_t k = 0; k < plain[i].polygons.size(); ++k)
-      EXPECT_EQ(watched[i].polygons[k].corners, plain[i].polygons[k].corners);
-  }
-  std::vector<std::size_t> seen;
-  const auto watch = [&](const auto& step) {
-    if constexpr (requires { step.polygon; }) seen.push_back(step.polygon.face);
-  };
-  std::vector<std::size_t> order;
-  back_to_front(
-      plain, Eye<double>{1, 2, 3, 0}, [&](const Polygon<double>& p) { order.push_back(p.face); }, watch);
-  EXPECT_EQ(seen, order);
 }
 
 }  // namespace

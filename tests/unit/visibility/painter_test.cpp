@@ -271,47 +271,6 @@ TEST(Painter, RefusesWhatIsNotInFrontOfTheEye) {
   EXPECT_THROW(distant_view(dvec3{0, 1, 0}, dvec3{0, 2, 0}), ContractViolation);
 }
 
-/// Rays on which a later polygon lies farther than an earlier one, and how often any was hit.
-struct Judged {
-  int hits = 0, wrong = 0;
-};
-Judged judge(Random& random, const std::vector<Polygon<Exact>>& order, const View<Exact>& view) {
-  Judged judged;
-  const bool distant = view.eye.w == Exact(0);
-  const ExactVec3 eye(view.eye);
-  const auto tenths = [&] { return Exact(random.uniform_int(-60, 60)) / Exact(10); };
-  for (int ray = 0; ray < 40; ++ray) {
-    const ExactVec3 place{tenths(), tenths(), tenths()};
-    const ExactVec3 from = distant ? place : eye, way = distant ? -eye : place - eye;
-    std::optional<Exact> before;
-    for (const auto& polygon : order) {
-      const auto at = hit(polygon, from, way);
-      if (!at || (!distant && *at <= Exact(0))) continue;
-      if (before && *at > *before) ++judged.wrong;
-      before = at;
-      ++judged.hits;
-    }
-  }
-  return judged;
-}
-
-TEST(Painter, NothingCoversWhatComesLater) {
-  Random random(test::seed());
-  int hits = 0, cuts = 0;
-  for (int round = 0; round < 50; ++round) {
-    const ExactScope scope;
-    const Scene scene = random_scene(random, 8, round % 3 == 0 ? 2 : 6);
-    const View<Exact> view = in_scalar<Exact>(random_view(random, round % 2 == 0));
-    const auto order = drawn(in_scalar<Exact>(scene), view);
-    cuts += static_cast<int>(order.size()) - 8;
-    const Judged judged = judge(random, order, view);
-    EXPECT_EQ(judged.wrong, 0);
-    hits += judged.hits;
-  }
-  EXPECT_GT(hits, 500);
-  EXPECT_GT(cuts, 100);
-}
-
 // --- Every pair by brute force, for a distant eye
 
 using ExactVec2 = glm::vec<2, Exact>;
@@ -467,24 +426,6 @@ TEST(Painter, SortedOrdersAreThoseOfTheFarthestCorners) {
         if constexpr (std::same_as<Step, Sorted<double>>)
           EXPECT_TRUE(std::ranges::is_sorted(step.order, std::greater{}, deepest));
       });
-}
-
-TEST(Painter, WatchingChangesNothing) {
-  Random random(test::seed());
-  for (int round = 0; round < 20; ++round) {
-    const Scene scene = random_scene(random, 10);
-    const View<double> view = random_view(random, round % 2 == 0);
-    std::vector<std::vector<dvec3>> watched, reported, plain;
-    const auto keep = [](auto& to) {
-      return [&](const Polygon<double>& part) { to.push_back(part.corners); };
-    };
-    newell(scene, view, keep(watched), [&]<class Step>(const Step& step) {
-      if constexpr (std::same_as<Step, Drawn<double>>) reported.push_back(step.polygon.corners);
-    });
-    newell(scene, view, keep(plain));
-    EXPECT_EQ(watched, plain);
-    EXPECT_EQ(reported, plain);
-  }
 }
 
 TEST(Painter, FloatsAreOrderedExactlyToo) {

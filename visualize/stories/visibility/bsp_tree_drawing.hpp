@@ -17,6 +17,25 @@ inline constexpr int paper_width = 36, paper_height = 24;
 
 /// Whether both are the same part of the same face: another face may lie in the same place.
 inline bool same(const DPolygon& a, const DPolygon& b) { return a.face == b.face && a.corners == b.corners; }
+inline auto same_as(const DPolygon& polygon) {
+  return [&polygon](const DPolygon& other) { return same(other, polygon); };
+}
+
+/// What a run is about: polygons, which are parts of the faces given.
+struct Polygons {
+  std::vector<faces_task::NamedPart> parts;
+  std::vector<DPolygon> polygons{};
+  std::vector<dvec3> points{};  ///< all corners
+};
+inline Polygons polygons_of(const Arguments& arguments) {
+  Polygons all{faces_task::parts_of(faces_task::faces_of(arguments))};
+  for (std::size_t i = 0; i < all.parts.size(); ++i) {
+    const Ring& ring = all.parts[i].ring;
+    all.polygons.push_back({ring, i});
+    all.points.insert(all.points.end(), ring.begin(), ring.end());
+  }
+  return all;
+}
 
 /// What the polygons are called. Parts are told by their face and their corners, which are just those that
 /// were reported.
@@ -74,14 +93,13 @@ class TreeDrawing {
   /// A node with its text.
   void add_node(View& view, std::size_t node, Role role, const std::string& text) const {
     constexpr int corners = 28;
-    std::vector<dvec2> circle;
+    Ring2 circle;
     for (int i = 0; i < corners; ++i) {
       const double turn = 2 * 3.14159265358979 * i / corners;
       circle.push_back(at_[node] + radius * dvec2{gradus::cos(turn), gradus::sin(turn)});
     }
     const std::string id = fmt::format("t node {:02}", node);
-    view.add({id + " inside", role, Area{{circle}, 1}});
-    view.add({id, role, Path{circle, true}});
+    add_ring(view, id, role, circle);
     view.add({id + " text", role, Text{at_[node], text}});
   }
   /// The branch from a node to its parent, "+" where it leads in front of the parent's plane.
@@ -140,18 +158,11 @@ class EdgeOnPicture {
   }
   void add_polygon(View& view, const DPolygon& polygon, Role role, const std::string& name,
                    bool corners) const {
-    std::vector<dvec2> ring;
-    dvec2 middle{0};
-    for (const dvec3 p : polygon.corners) {
-      ring.push_back(panel_.at(flat(p)));
-      middle += ring.back() / static_cast<double>(polygon.corners.size());
-    }
-    const std::string id = "f " + name;
-    view.add({id + " inside", role, Area{{ring}, 1}});
-    view.add({id, role, Path{ring, true}});
+    const Ring2 ring = mapped(polygon.corners, [&](dvec3 p) { return panel_.at(flat(p)); });
+    add_ring(view, "f " + name, role, ring);
     for (std::size_t i = 0; corners && i < ring.size(); ++i)
       view.add({fmt::format("g {} corner {:02}", name, i), role, Dot{ring[i]}});
-    view.add({"h " + name, role, Label{middle, name}});
+    view.add({"h " + name, role, Label{middle_of(ring), name}});
   }
   /// Where a cut goes through.
   void add_cut(View& view, dvec3 a, dvec3 b) const {

@@ -15,7 +15,7 @@ constexpr Extent space_place{{0.6, 0.6}, {18.4, 23.4}}, edge_on_place{{22.4, 1.4
 
 // --- The tree is built
 
-class BuildStory {
+class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double>, Split<double>, Built> {
  public:
   /// cut: polygons on both sides of a plane are.
   BuildStory(const Words& words, const Task& task, const DTree& tree, bool cut)
@@ -29,115 +29,89 @@ class BuildStory {
     for (const DPolygon& polygon : task.polygons) pieces_.push_back({polygon, none, false});
   }
 
-  const FacesPicture& space() const { return space_; }
+  template <class Step>
+  void take(const Step& step) {
+    Past::take(step);
+    follow(step);
+  }
 
-  void show(Board& board, const steps::Started&) { put(board); }
+  dvec2 at(dvec3 p) const { return space_.at(p); }
+
   Event say(const steps::Started&) const {
-    return {.text = "started", .count = std::ssize(pieces_), .begins = true, .level = Level::idea};
+    return {.text = "started", .count = std::ssize(pieces_), .level = Level::idea};
   }
 
-  void show(Board& board, const PlaneTaken<double>& t) {
-    forget();
-    node_ = t.node;
-    plane_ = t.polygon;
-    nodes_.push_back({t.parent, t.in_front, {names_(t.polygon)}});
-    for (Piece& piece : pieces_) {
-      if (same(piece.polygon, t.polygon)) piece.node = t.node;
-      piece.here = piece.node == none && piece.parent == t.parent &&
-                   (t.parent == none || piece.in_front == t.in_front);
-      piece.side = std::nullopt;
-    }
-    put(board);
-  }
   Event say(const PlaneTaken<double>& t) const {
     const bool root = t.parent == none;
-    std::string_view text = root ? "taken.root" : t.in_front ? "taken.front" : "taken.behind";
-    if (t.others == 0) text = root ? "alone.root" : t.in_front ? "alone.front" : "alone.behind";
-    return {.text = text,
+    return {.text = std::string(t.others == 0 ? "alone." : "taken.") + (root         ? "root"
+                                                                        : t.in_front ? "front"
+                                                                                     : "behind"),
             .facts = {{"node", static_cast<std::int64_t>(t.node)},
                       {"others", static_cast<std::int64_t>(t.others)}},
-            .words = {{"name", names_(t.polygon)},
-                      {"parent", root ? "" : nodes_[t.parent].names.front()},
-                      {"others", t.others}},
+            .words = {{"name", names_(t.polygon)}, {"parent", root ? "" : name_of(t.parent)}},
             .key = names_(t.polygon)};
   }
 
-  void show(Board& board, const Placed<double>& p) {
-    forget();
-    current_ = p.polygon;
-    Piece& piece = piece_of(p.polygon);
-    piece.side = p.side;
-    if (p.side == Side::in_plane) {
-      piece.node = p.node;
-      nodes_[p.node].names.push_back(names_(p.polygon));
-    }
-    if (p.side == Side::in_front || p.side == Side::behind) move(piece, p.node, p.side == Side::in_front);
-    put(board);
-  }
   Event say(const Placed<double>& p) const {
-    constexpr std::array<std::string_view, 4> texts{"placed.in_plane", "placed.in_front", "placed.behind",
-                                                    "placed.both"};
+    constexpr std::array<const char*, 4> texts{"in_plane", "in_front", "behind", "both"};
     constexpr std::array<const char*, 4> branches{"in the plane", "in front", "behind", "both sides"};
     const auto side = static_cast<std::size_t>(p.side);
     const auto [front, behind] = counts(p.polygon);
     const bool torn = front > 0 && behind > 0 && p.side != Side::both;
-    return {
-        .text = !torn                      ? texts[side]
-                : p.side == Side::in_front ? "torn.in_front"
-                                           : "torn.behind",
-        .facts = {{"in_front", front}, {"behind", behind}},
-        .words = {{"name", names_(p.polygon)}, {"plane", names_(plane_)}},
-        .row = {names_(plane_), names_(p.polygon), front, behind, words_.say(fmt::format("side.{}", side))},
-        .key = names_(p.polygon),
-        .decides =
-            Decision{words_.say("question", {{"name", names_(p.polygon)}, {"plane", names_(plane_)}}),
-                     {words_.say("side.0"), words_.say("side.1"), words_.say("side.2"), words_.say("side.3")},
-                     side,
-                     branches[side]}};
-  }
-
-  void show(Board& board, const Split<double>& s) {
-    const DPolygon whole = *current_;
-    names_.cut(whole, s.in_front, s.behind);
-    std::erase_if(pieces_, [&](const Piece& piece) { return same(piece.polygon, whole); });
-    for (const bool in_front : {true, false}) {
-      pieces_.push_back({in_front ? s.in_front : s.behind, s.node, in_front});
-      pieces_.back().here = true;
-      pieces_.back().side = in_front ? Side::in_front : Side::behind;
-    }
-    cut_ = common_edge(s.in_front, s.behind);
-    current_.reset();
-    parts_ = {s.in_front, s.behind};
-    put(board);
+    const std::string &name = names_(p.polygon), &plane = names_(plane_taken());
+    std::vector<std::string> answers;
+    for (int i = 0; i < 4; ++i) answers.push_back(words_.say(fmt::format("side.{}", i)));
+    return {.text = std::string(torn ? "torn." : "placed.") + texts[side],
+            .facts = {{"in_front", front}, {"behind", behind}},
+            .words = {{"name", name}, {"plane", plane}},
+            .row = {plane, name, front, behind, answers[side]},
+            .key = name,
+            .decides = Decision{words_.say("question", {{"name", name}, {"plane", plane}}), answers, side,
+                                branches[side]}};
   }
   Event say(const Split<double>& s) const {
     const std::string name = names_(s.in_front);
     return {.text = "split",
             .facts = {{"corners_in_front", std::ssize(s.in_front.corners)},
                       {"corners_behind", std::ssize(s.behind.corners)}},
-            .words = {{"plane", names_(plane_)}, {"front", name}, {"behind", names_(s.behind)}},
+            .words = {{"plane", names_(plane_taken())}, {"front", name}, {"behind", names_(s.behind)}},
             .key = name};
   }
 
-  void show(Board& board, const Built&) {
-    forget();
-    done_ = true;
-    put(board);
-  }
   Event say(const Built& b) const {
     Event event{.text = "built",
                 .facts = {{"nodes", static_cast<std::int64_t>(b.nodes)},
                           {"polygons", static_cast<std::int64_t>(b.polygons)}},
-                .words = {{"nodes", b.nodes}, {"polygons", b.polygons}, {"faces", task_.polygons.size()}},
+                .words = {{"faces", task_.polygons.size()}},
                 .ends = true};
     if (cuts_) return event;
-    event.text = "built.right";
-    if (const auto wrong = wrongly_covered()) {
-      event.text = "built.wrong";
+    const auto wrong = wrongly_covered();
+    event.text = wrong ? "built.wrong" : "built.right";
+    if (wrong)
       event.words.insert(event.words.end(),
                          {{"over", names_(wrong->first)}, {"under", names_(wrong->second)}});
-    }
     return event;
+  }
+
+  View draw() const {
+    View view;
+    const auto face = [&](const DPolygon& polygon, Role role) {
+      return ShownFace{names_(polygon), polygon.corners, role};
+    };
+    if (now<Built>() && !cuts_) {
+      space_.add_painted(view, mapped(painted(), [&](const DPolygon& p) { return face(p, Role::result); }));
+    } else {
+      std::vector<SpaceEdge> lines;
+      if (const auto edge = cut())
+        lines.push_back(
+            {.id = "c cut", .role = Role::measure, .a = edge->first, .b = edge->second, .behind = false});
+      space_.add(view,
+                 mapped(pieces_, [&](const Piece& piece) { return face(piece.polygon, role_of(piece)); }),
+                 lines);
+    }
+    if (last<PlaneTaken<double>>() && !now<Built>()) add_edge_on(view);
+    add_tree(view);
+    return view;
   }
 
  private:
@@ -150,36 +124,50 @@ class BuildStory {
     bool here = true;         ///< it lies in the subspace that is parted now
     std::optional<Side> side{};
   };
-  struct NodeShown {
-    std::size_t parent;
-    bool in_front;
-    std::vector<std::string> names;
-  };
 
-  Piece& piece_of(const DPolygon& polygon) {
-    return *std::ranges::find_if(
-        pieces_, [&](const Piece& piece) { return same(piece.polygon, polygon) && piece.node == none; });
-  }
-  static void move(Piece& piece, std::size_t node, bool in_front) {
-    piece.parent = node;
-    piece.in_front = in_front;
-  }
-  void forget() {
-    current_.reset();
-    cut_.reset();
-    parts_.clear();
-  }
-  static std::optional<std::pair<dvec3, dvec3>> common_edge(const DPolygon& a, const DPolygon& b) {
-    std::vector<dvec3> common;
-    for (const dvec3 p : a.corners) {
-      if (std::ranges::find(b.corners, p) != b.corners.end()) common.push_back(p);
+  void follow(const auto&) {}
+  void follow(const PlaneTaken<double>& t) {
+    for (Piece& piece : pieces_) {
+      if (same(piece.polygon, t.polygon)) piece.node = t.node;
+      piece.here = piece.node == none && piece.parent == t.parent &&
+                   (t.parent == none || piece.in_front == t.in_front);
+      piece.side = std::nullopt;
     }
-    if (common.size() < 2) return std::nullopt;
-    return std::pair(common[0], common[1]);
+  }
+  void follow(const Placed<double>& p) {
+    Piece& piece = *std::ranges::find_if(
+        pieces_, [&](const Piece& other) { return same(other.polygon, p.polygon) && other.node == none; });
+    piece.side = p.side;
+    if (p.side == Side::in_plane) piece.node = p.node;
+    if (p.side != Side::in_front && p.side != Side::behind) return;
+    piece.parent = p.node;
+    piece.in_front = p.side == Side::in_front;
+  }
+  void follow(const Split<double>& s) {
+    const DPolygon& whole = last<Placed<double>>()->polygon;
+    names_.cut(whole, s.in_front, s.behind);
+    std::erase_if(pieces_, [&](const Piece& piece) { return same(piece.polygon, whole); });
+    pieces_.push_back({s.in_front, s.node, true, none, true, Side::in_front});
+    pieces_.push_back({s.behind, s.node, false, none, true, Side::behind});
+  }
+
+  const DPolygon& plane_taken() const { return last<PlaneTaken<double>>()->polygon; }
+  const std::string& name_of(std::size_t node) const {
+    return names_(all<PlaneTaken<double>>()[node].polygon);
+  }
+  /// Where the cut at hand goes through.
+  std::optional<std::pair<dvec3, dvec3>> cut() const {
+    const auto* split = now<Split<double>>();
+    if (!split) return std::nullopt;
+    std::vector<dvec3> common;
+    for (const dvec3 p : split->in_front.corners) {
+      if (std::ranges::find(split->behind.corners, p) != split->behind.corners.end()) common.push_back(p);
+    }
+    return common.size() < 2 ? std::nullopt : std::optional(std::pair(common[0], common[1]));
   }
   /// Of corners in front of the plane at hand and behind it.
   std::pair<std::int64_t, std::int64_t> counts(const DPolygon& polygon) const {
-    const auto all = sides(plane_.plane, polygon, ExactSide{});
+    const auto all = sides(plane_taken().plane, polygon, ExactSide{});
     return {std::ranges::count(all, 1), std::ranges::count(all, -1)};
   }
 
@@ -204,67 +192,48 @@ class BuildStory {
     const std::vector<std::vector<dvec3>> rings{first.corners};
     const HiddenLines lines(rings, distant_viewer(task_.reader.towards),
                             length_between(first.corners[0], first.corners[2]));
-    for (std::size_t i = 0; i < other.corners.size(); ++i) {
-      const auto pieces = lines.pieces(other.corners[i], other.corners[(i + 1) % other.corners.size()]);
-      if (std::ranges::any_of(pieces, &SightPiece::hidden)) return true;
-    }
-    return false;
+    return std::ranges::any_of(sides_of(other.corners), [&](const auto& side) {
+      return std::ranges::any_of(lines.pieces(side.first, side.second), &SightPiece::hidden);
+    });
   }
 
   Role role_of(const Piece& piece) const {
-    if (done_) return Role::result;
-    if (piece.node == node_ && node_ != none) return Role::boundary;
-    if (current_ && same(piece.polygon, *current_)) return Role::current;
+    if (now<Built>()) return Role::result;
+    if (const auto* taken = last<PlaneTaken<double>>(); taken && piece.node == taken->node)
+      return Role::boundary;
+    if (const auto* placed = now<Placed<double>>(); placed && same(piece.polygon, placed->polygon))
+      return Role::current;
     if (!piece.here || piece.node != none) return Role::past;
     if (piece.side == Side::in_front) return Role::accepted;
     if (piece.side == Side::behind) return Role::rejected;
     return Role::input;
   }
 
-  void put(Board& board) const {
-    View view;
-    std::vector<ShownFace> faces;
-    for (const Piece& piece : pieces_)
-      faces.push_back({names_(piece.polygon), piece.polygon.corners, role_of(piece)});
-    std::vector<SpaceEdge> lines;
-    if (cut_)
-      lines.push_back(
-          {.id = "c cut", .role = Role::measure, .a = cut_->first, .b = cut_->second, .behind = false});
-    if (done_ && !cuts_) {
-      std::vector<ShownFace> pile;
-      for (const DPolygon& polygon : painted())
-        pile.push_back({names_(polygon), polygon.corners, Role::result});
-      space_.add_painted(view, std::move(pile));
-    } else {
-      space_.add(view, faces, lines);
-    }
-    if (node_ != none && !done_) add_edge_on(view);
-    add_tree(view);
-    board.milestone(std::move(view));
-  }
   void add_edge_on(View& view) const {
     std::vector<DPolygon> here;
     for (const Piece& piece : pieces_) {
-      if (piece.here || piece.node == node_) here.push_back(piece.polygon);
+      if (piece.here || piece.node == last<PlaneTaken<double>>()->node) here.push_back(piece.polygon);
     }
-    const EdgeOnPicture picture(edge_on_place, plane_.plane, task_.reader, here);
-    picture.add_plane(view, words_.say("plane", {{"name", names_(plane_)}}));
+    const EdgeOnPicture picture(edge_on_place, plane_taken().plane, task_.reader, here);
+    picture.add_plane(view, words_.say("plane", {{"name", names_(plane_taken())}}));
     for (const Piece& piece : pieces_) {
       if (!piece.here || piece.node != none) continue;
       const Role role = role_of(piece);
       picture.add_polygon(view, piece.polygon, role, names_(piece.polygon), role == Role::current);
     }
-    if (cut_) picture.add_cut(view, cut_->first, cut_->second);
-    view.add({"e caption", Role::guide,
-              Text{{edge_on_place.centre().x, edge_on_place.upper.y + 1}, words_.say("caption.edge_on")}});
+    if (const auto edge = cut()) picture.add_cut(view, edge->first, edge->second);
+    add_caption(view, "e caption", edge_on_place, words_.say("caption.edge_on"), 1);
   }
   void add_tree(View& view) const {
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const NodeShown& node = nodes_[i];
-      const Role role = done_ ? Role::result : i == node_ ? Role::boundary : Role::past;
-      const std::string more = node.names.size() > 1 ? "…" : "";
-      drawing_.add_node(view, i, role, node.names.front() + more);
-      if (node.parent != none) drawing_.add_branch(view, node.parent, i, node.in_front, role);
+    const auto lies_in = [](std::size_t node) {
+      return [node](const Placed<double>& p) { return p.side == Side::in_plane && p.node == node; };
+    };
+    for (const PlaneTaken<double>& t : all<PlaneTaken<double>>()) {
+      const bool last_one = &t == last<PlaneTaken<double>>();
+      const Role role = now<Built>() ? Role::result : last_one ? Role::boundary : Role::past;
+      const bool more = std::ranges::any_of(all<Placed<double>>(), lies_in(t.node));
+      drawing_.add_node(view, t.node, role, names_(t.polygon) + (more ? "…" : ""));
+      if (t.parent != none) drawing_.add_branch(view, t.parent, t.node, t.in_front, role);
     }
   }
 
@@ -276,13 +245,6 @@ class BuildStory {
   FacesPicture space_;
   TreeDrawing drawing_;
   std::vector<Piece> pieces_;
-  std::vector<NodeShown> nodes_{};
-  std::size_t node_ = none;  ///< whose plane is at hand
-  DPolygon plane_{};
-  std::optional<DPolygon> current_{};
-  std::vector<DPolygon> parts_{};
-  std::optional<std::pair<dvec3, dvec3>> cut_{};
-  bool done_ = false;
 };
 
 // --- The methods
@@ -292,28 +254,30 @@ void set_up(Narrator& narrator, const Task& task) {
   narrator.subtitle("subtitle", {{"count", task.polygons.size()}, {"towards", task.reader.towards}});
 }
 
-void let_drag(Narrator& narrator, const FacesPicture& picture) {
-  narrator.handles("faces", [&](dvec3 p) { return picture.at(p); });
-}
-
+template <bool cut>
 void tell_build(Narrator& narrator) {
   const Task task = task_of(narrator.arguments());
   set_up(narrator, task);
   narrator.legend({{Role::boundary, "plane"},
                    {Role::current, "current"},
                    {Role::accepted, "in_front"},
-                   {Role::rejected, "behind"},
-                   {Role::measure, "cut"},
-                   {Role::past, "elsewhere"},
-                   {Role::result, "done"}});
-  const DTree tree = build(task.polygons);
-  BuildStory story(narrator.words(), task, tree, true);
-  let_drag(narrator, story.space());
+                   {Role::rejected, "behind"}});
+  if (cut) narrator.add_to_legend(Role::measure, "cut");
+  narrator.add_to_legend(Role::past, "elsewhere");
+  narrator.add_to_legend(Role::result, "done");
+  const auto built = [&](auto&&... watch) {
+    return cut ? build(task.polygons, ExactSide{}, watch...)
+               : build_uncut(task.polygons, ExactSide{}, watch...);
+  };
+  const DTree tree = built();
+  BuildStory story(narrator.words(), task, tree, cut);
+  narrator.handles("faces", [&](dvec3 p) { return story.at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  build(task.polygons, ExactSide{}, watch);
-  narrator.result({{"nodes", static_cast<std::int64_t>(tree.size())},
-                   {"polygons", static_cast<std::int64_t>(polygon_count(tree))}});
+  built(watch);
+  std::vector<Field> result{{"nodes", std::ssize(tree)}};
+  if (cut) result.push_back({"polygons", static_cast<std::int64_t>(polygon_count(tree))});
+  narrator.result(result);
 }
 
 /// The names that parts have got while the tree was built.
@@ -327,42 +291,20 @@ PartNames names_after(const Task& task) {
   return names;
 }
 
-void tell_walk(Narrator& narrator, const Task& task, const DTree& tree, PartNames names) {
+void tell_walk(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments());
   set_up(narrator, task);
   narrator.columns({{"number"}, {"polygon", false}, {"eye", false}});
   narrator.legend(
       {{Role::current, "now"}, {Role::input, "drawn"}, {Role::past, "waiting"}, {Role::result, "whole"}});
-  WalkStory story(narrator.words(), task, tree, std::move(names));
-  let_drag(narrator, story.picture());
+  const DTree tree = build(task.polygons);
+  WalkStory story(narrator.words(), task, tree, names_after(task));
+  narrator.handles("faces", [&](dvec3 p) { return story.at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  const auto drop = [](const DPolygon&) {};
-  back_to_front(tree, Eye<double>(task.reader.towards, 0), drop, watch);
+  back_to_front(tree, Eye<double>(task.reader.towards, 0), [](const DPolygon&) {}, watch);
   watch(steps::Finished{}, 0);
   narrator.result({{"polygons", static_cast<std::int64_t>(polygon_count(tree))}});
-}
-
-void tell_back_to_front(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  tell_walk(narrator, task, build(task.polygons), names_after(task));
-}
-
-void tell_uncut(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  set_up(narrator, task);
-  narrator.legend({{Role::boundary, "plane"},
-                   {Role::current, "current"},
-                   {Role::accepted, "in_front"},
-                   {Role::rejected, "behind"},
-                   {Role::past, "elsewhere"},
-                   {Role::result, "done"}});
-  const DTree tree = build_uncut(task.polygons);
-  BuildStory story(narrator.words(), task, tree, false);
-  let_drag(narrator, story.space());
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
-  build_uncut(task.polygons, ExactSide{}, watch);
-  narrator.result({{"nodes", static_cast<std::int64_t>(tree.size())}});
 }
 
 const Checking& checking() {
@@ -384,10 +326,12 @@ const TopicEntry& entry() {
        .aliases = {"bsp", "binary space partitioning"},
        .summary =
            "planes of polygons part space into a tree that gives every eye an order from back to front",
-       .methods =
-           {{.name = "build", .standing = Standing::taught, .tell = tell_build},
-            {.name = "back_to_front", .tell = tell_back_to_front},
-            {.name = "uncut", .standing = Standing::faulty, .tell = tell_uncut, .function = "build_uncut"}},
+       .methods = {{.name = "build", .standing = Standing::taught, .tell = tell_build<true>},
+                   {.name = "back_to_front", .tell = tell_walk},
+                   {.name = "uncut",
+                    .standing = Standing::faulty,
+                    .tell = tell_build<false>,
+                    .function = "build_uncut"}},
        .default_method = "build",
        .columns = {{"plane", false}, {"polygon", false}, {"in_front"}, {"behind"}, {"side", false}},
        .parameters = {faces_task::faces_parameter(

@@ -1,54 +1,39 @@
 #pragma once
 // The walk through a BSP tree: which side of each plane the eye is on, and what is drawn next.
 
+#include "stories/past.hpp"
 #include "stories/visibility/bsp_tree_drawing.hpp"
 
 namespace gradus::bsp_tree {
 
 /// What a run is about.
-struct Task {
+struct Task : Polygons {
   faces_task::Reader reader;
-  std::vector<faces_task::NamedPart> parts;
-  std::vector<DPolygon> polygons{};
-  std::vector<dvec3> points{};
 };
 
 inline Task task_of(const Arguments& arguments) {
-  Task task{faces_task::reader_of(arguments), faces_task::parts_of(faces_task::faces_of(arguments))};
-  for (std::size_t i = 0; i < task.parts.size(); ++i) {
-    task.polygons.push_back({task.parts[i].ring, i});
-    task.points.insert(task.points.end(), task.parts[i].ring.begin(), task.parts[i].ring.end());
-  }
-  return task;
+  const faces_task::Reader reader = faces_task::reader_of(arguments);
+  return {polygons_of(arguments), reader};
 }
 
 /// Of the paper: the picture as it is drawn, and the tree.
 inline constexpr Extent picture_place{{0.6, 0.6}, {20.6, 23.4}}, walked_place{{22, 2.4}, {35, 22.8}};
 
-class WalkStory {
+class WalkStory : public Past<steps::Started, Visited, Drawn<double>, steps::Finished> {
  public:
   WalkStory(const Words& words, const Task& task, const DTree& tree, PartNames names)
       : words_(words),
         tree_(tree),
         names_(std::move(names)),
         picture_(task.reader, picture_place, task.points),
-        drawing_(tree, walked_place),
-        numbers_(tree.size()) {}
+        drawing_(tree, walked_place) {}
 
-  const FacesPicture& picture() const { return picture_; }
+  dvec2 at(dvec3 p) const { return picture_.at(p); }
 
-  void show(Board& board, const steps::Started&) { put(board, Role::input); }
   Event say(const steps::Started&) const {
-    return {.text = "walk",
-            .count = static_cast<std::int64_t>(polygon_count(tree_)),
-            .begins = true,
-            .level = Level::idea};
+    return {.text = "walk", .count = static_cast<std::int64_t>(polygon_count(tree_)), .level = Level::idea};
   }
 
-  void show(Board& board, const Visited& v) {
-    node_ = v.node;
-    put(board, Role::input);
-  }
   Event say(const Visited& v) const {
     constexpr std::array<std::string_view, 3> texts{"visited.behind", "visited.in_plane", "visited.in_front"};
     constexpr std::array<const char*, 3> branches{"behind", "in the plane", "in front"};
@@ -68,56 +53,52 @@ class WalkStory {
                                 branches[side]}};
   }
 
-  void show(Board& board, const Drawn<double>& d) {
-    node_ = d.node;
-    drawn_.push_back(d.polygon);
-    numbers_[d.node] = drawn_.size();
-    put(board, Role::current);
-  }
   Event say(const Drawn<double>& d) const {
-    const std::string name = names_(d.polygon);
-    return {.text = drawn_.size() == 1 ? "drawn.first" : "drawn",
-            .facts = {{"number", std::ssize(drawn_)}},
-            .words = {{"name", name}, {"number", drawn_.size()}},
-            .row = {drawn_.size(), name, ""},
+    const std::string& name = names_(d.polygon);
+    const std::int64_t number = std::ssize(all<Drawn<double>>());
+    return {.text = number == 1 ? "drawn.first" : "drawn",
+            .facts = {{"number", number}},
+            .words = {{"name", name}},
+            .row = {number, name, ""},
             .key = name};
   }
 
-  void show(Board& board, const steps::Finished&) {
-    node_ = none;
-    ended_ = true;
-    put(board, Role::result);
-  }
   Event say(const steps::Finished&) const {
-    std::vector<std::string> order;
-    for (const DPolygon& polygon : drawn_) order.push_back(names_(polygon));
+    const auto order = mapped(all<Drawn<double>>(), [&](const auto& d) { return names_(d.polygon); });
     return {.text = "walked", .words = {{"order", fmt::format("{}", fmt::join(order, ", "))}}};
   }
 
- private:
-  std::string name_of(std::size_t node) const { return names_(tree_[node].polygons.front()); }
-
-  void put(Board& board, Role last) const {
+  View draw() const {
     View view;
+    const Role drawn = now<steps::Finished>() ? Role::result : Role::input;
     std::vector<ShownFace> faces;
-    for (const DPolygon& polygon : drawn_)
-      faces.push_back({names_(polygon), polygon.corners, ended_ ? Role::result : Role::input});
-    if (!faces.empty()) faces.back().role = last;
-    std::vector<std::vector<dvec3>> waiting;
+    std::vector<std::size_t> numbers(tree_.size());
+    for (const auto& [node, polygon] : all<Drawn<double>>()) {
+      faces.push_back({names_(polygon), polygon.corners, drawn});
+      numbers[node] = faces.size();
+    }
+    if (now<Drawn<double>>()) faces.back().role = Role::current;
+    std::vector<Ring> waiting;
     for (const Node<double>& node : tree_) {
       for (const DPolygon& polygon : node.polygons) waiting.push_back(polygon.corners);
     }
     picture_.add_painted(view, std::move(faces), waiting);
     for (std::size_t i = 0; i < tree_.size(); ++i) {
-      const Role role = i == node_        ? Role::current
-                        : numbers_[i] > 0 ? (ended_ ? Role::result : Role::input)
-                                          : Role::past;
+      const Role role = is_at(i) ? Role::current : numbers[i] > 0 ? drawn : Role::past;
       drawing_.add_node(view, i, role, name_of(i) + (tree_[i].polygons.size() > 1 ? "…" : ""));
       if (tree_[i].in_front != none) drawing_.add_branch(view, i, tree_[i].in_front, true, Role::past);
       if (tree_[i].behind != none) drawing_.add_branch(view, i, tree_[i].behind, false, Role::past);
-      if (numbers_[i] > 0) drawing_.add_number(view, i, numbers_[i]);
+      if (numbers[i] > 0) drawing_.add_number(view, i, numbers[i]);
     }
-    board.milestone(std::move(view));
+    return view;
+  }
+
+ private:
+  const std::string& name_of(std::size_t node) const { return names_(tree_[node].polygons.front()); }
+  bool is_at(std::size_t node) const {
+    const auto* visited = now<Visited>();
+    const auto* drawn = now<Drawn<double>>();
+    return (visited && visited->node == node) || (drawn && drawn->node == node);
   }
 
   const Words& words_;
@@ -125,10 +106,6 @@ class WalkStory {
   const PartNames names_;
   FacesPicture picture_;
   TreeDrawing drawing_;
-  std::vector<DPolygon> drawn_{};
-  std::vector<std::size_t> numbers_;
-  std::size_t node_ = none;
-  bool ended_ = false;
 };
 
 }  // namespace gradus::bsp_tree

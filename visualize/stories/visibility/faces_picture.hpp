@@ -18,11 +18,8 @@ class FacesPicture {
  public:
   /// points: all that must have room in the place.
   FacesPicture(const faces_task::Reader& reader, const Extent& place, const std::vector<dvec3>& points)
-      : reader_(reader), panel_(place, {}) {
-    Extent extent;
-    for (const dvec3 p : points) extent.add(reader.flat(p));
-    panel_ = Panel(place, extent);
-  }
+      : reader_(reader),
+        panel_(place, extent_around(mapped(points, [&](dvec3 p) { return reader.flat(p); }))) {}
 
   dvec2 at(dvec3 p) const { return panel_.at(reader_.flat(p)); }
 
@@ -44,11 +41,12 @@ class FacesPicture {
     const double sheet = size / static_cast<double>(faces.size() + 1);
     SpaceDrawing drawing(reader_.look(panel_));
     for (std::size_t i = 0; i < ground.size(); ++i) {
-      for (std::size_t k = 0; k < ground[i].size(); ++k) {
-        drawing.add(SpaceEdge{.id = fmt::format("a ground {:03} {:02}", i, k),
+      std::size_t number = 0;
+      for (const auto& [a, b] : sides_of(ground[i])) {
+        drawing.add(SpaceEdge{.id = fmt::format("a ground {:03} {:02}", i, number++),
                               .role = Role::past,
-                              .a = lifted(ground[i][k], 0),
-                              .b = lifted(ground[i][(k + 1) % ground[i].size()], 0),
+                              .a = lifted(a, 0),
+                              .b = lifted(b, 0),
                               .thin = true,
                               .behind = false});
       }
@@ -66,12 +64,6 @@ class FacesPicture {
     return flat.x * reader_.right + flat.y * reader_.up + height * reader_.towards;
   }
 
-  Ring2 flat(const std::vector<dvec3>& ring) const {
-    Ring2 points;
-    for (const dvec3 p : ring) points.push_back(reader_.flat(p));
-    return points;
-  }
-
   /// Names keep out of the outlines of what is still to come, where they can.
   void draw(View& view, SpaceDrawing drawing, const std::vector<ShownFace>& faces,
             const std::vector<std::vector<dvec3>>& ground = {}) const {
@@ -81,18 +73,18 @@ class FacesPicture {
       const auto& [name, ring, role] = faces[i];
       const std::string id = fmt::format("b {:03}", i);
       drawing.add(SpaceFace{.id = id, .role = role, .ring = ring, .one_sided = false, .shade = 2});
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        const dvec3 a = ring[k], b = ring[(k + 1) % ring.size()];
-        drawing.add(
-            SpaceEdge{.id = fmt::format("{} {:02}", id, k), .role = role, .a = a, .b = b, .behind = false});
+      std::size_t number = 0;
+      for (const auto& [a, b] : sides_of(ring)) {
+        drawing.add(SpaceEdge{
+            .id = fmt::format("{} {:02}", id, number++), .role = role, .a = a, .b = b, .behind = false});
         size = std::max(size, length_between(a, faces[0].ring[0]));
       }
       rings.push_back(ring);
     }
     drawing.add_to(view, "a");
     const HiddenLines lines(rings, distant_viewer(reader_.towards), size);
-    std::vector<Ring2> waiting;
-    for (const auto& ring : ground) waiting.push_back(flat(ring));
+    const auto flat = [&](dvec3 p) { return reader_.flat(p); };
+    const std::vector<Ring2> waiting = mapped(ground, [&](const Ring& ring) { return mapped(ring, flat); });
     const auto is_clear = [&](dvec3 p) {
       return std::ranges::all_of(waiting,
                                  [&](const Ring2& ring) { return depth_inside(ring, reader_.flat(p)) < 0; });

@@ -11,6 +11,7 @@ namespace gradus::painter {
 using bsp_tree::DPolygon;
 using bsp_tree::EdgeOnPicture;
 using bsp_tree::PartNames;
+using bsp_tree::same_as;
 using DView = painter::View<double>;
 using Drawing = gradus::View;
 using Rectangle = gradus::Extent;
@@ -18,9 +19,7 @@ using Rectangle = gradus::Extent;
 inline constexpr int paper_width = 36, paper_height = 24;
 
 /// What a run is about: polygons, and their viewer.
-struct Task {
-  std::vector<faces_task::NamedPart> parts;
-  std::vector<DPolygon> polygons{};
+struct Task : bsp_tree::Polygons {
   DView view{};
   dvec3 right{}, up{}, forward{};  ///< of the view, of length 1
 
@@ -36,9 +35,7 @@ struct Task {
     return distant() ? flat : flat / depth(p);
   }
   Ring2 seen(const DPolygon& polygon) const {
-    Ring2 ring;
-    for (const dvec3 p : polygon.corners) ring.push_back(seen(p));
-    return ring;
+    return mapped(polygon.corners, [&](dvec3 p) { return seen(p); });
   }
 };
 
@@ -55,12 +52,9 @@ inline void require_in_front(const Arguments& arguments, const Task& task) {
 }
 
 inline Task task_of(const Arguments& arguments) {
-  Task task{faces_task::parts_of(faces_task::faces_of(arguments))};
+  Task task{bsp_tree::polygons_of(arguments)};
   Bounds bounds;
-  for (std::size_t i = 0; i < task.parts.size(); ++i) {
-    task.polygons.push_back({task.parts[i].ring, i});
-    for (const dvec3 p : task.parts[i].ring) bounds.add(p);
-  }
+  for (const dvec3 p : task.points) bounds.add(p);
   const auto eye = arguments.place("eye");
   if (eye && *eye == bounds.centre())
     refuse(arguments, {"eye"}, "an eye outside expected, found it in the middle of all faces");
@@ -94,13 +88,11 @@ inline Rectangle place_below(std::size_t rows) {
 inline Ring2 common_part(Ring2 ring, const Ring2& window) {
   const auto cross = [](dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; };
   double turn = 0;
-  for (std::size_t i = 0; i < window.size(); ++i) turn += cross(window[i], window[(i + 1) % window.size()]);
-  for (std::size_t i = 0; i < window.size(); ++i) {
-    const dvec2 a = window[i], way = window[(i + 1) % window.size()] - a;
-    const auto inside = [&](dvec2 p) { return turn * cross(way, p - a); };
+  for (const auto& [a, b] : sides_of(window)) turn += cross(a, b);
+  for (const auto& [a, b] : sides_of(window)) {
+    const auto inside = [&](dvec2 p) { return turn * cross(b - a, p - a); };
     Ring2 kept;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const dvec2 p = ring[k], q = ring[(k + 1) % ring.size()];
+    for (const auto& [p, q] : sides_of(ring)) {
       const double from = inside(p), to = inside(q);
       if (from >= 0) kept.push_back(p);
       if ((from < 0) != (to < 0)) kept.push_back(p + from / (from - to) * (q - p));
@@ -124,6 +116,7 @@ inline bool has_inside(const Ring2& ring) {
 /// One polygon painted over another that is in front of it.
 struct Wrong {
   DPolygon late, early;
+  std::size_t number;  ///< the late one's
 };
 
 /// The depth at which a sight line meets a polygon's plane.
@@ -149,16 +142,16 @@ inline bool wrongly_over(const Task& task, const DPolygon& late, const DPolygon&
 class Picture {
  public:
   explicit Picture(const Task& task)
-      : task_(task), flat_(faces_task::Reader(dvec3{0, 0, 1}), picture_place, corners_on(task)) {}
+      : task_(task),
+        flat_(faces_task::Reader(dvec3{0, 0, 1}), picture_place,
+              mapped(task.points, [&](dvec3 p) { return dvec3(task.seen(p), 0); })) {}
 
   dvec2 at(dvec3 p) const { return flat_.at(dvec3(task_.seen(p), 0)); }
   std::optional<dvec2> shown_at(dvec3 p) const {
     return task_.distant() || task_.depth(p) > 0 ? std::optional(at(p)) : std::nullopt;
   }
   Ring2 at(const DPolygon& polygon) const {
-    Ring2 ring;
-    for (const dvec3 p : polygon.corners) ring.push_back(at(p));
-    return ring;
+    return mapped(polygon.corners, [&](dvec3 p) { return at(p); });
   }
 
   void add_painted(Drawing& drawing, const std::vector<DPolygon>& painted, const PartNames& names, Role role,
@@ -166,9 +159,8 @@ class Picture {
     std::vector<ShownFace> faces;
     for (const DPolygon& polygon : painted) faces.push_back({names(polygon), on_screen(polygon), role});
     if (!faces.empty()) faces.back().role = last;
-    std::vector<std::vector<dvec3>> ground;
-    for (const DPolygon& polygon : waiting) ground.push_back(on_screen(polygon));
-    flat_.add_painted(drawing, std::move(faces), ground);
+    flat_.add_painted(drawing, std::move(faces),
+                      mapped(waiting, [&](const DPolygon& polygon) { return on_screen(polygon); }));
   }
   /// The outline of one that waits, with its name where it is in none of the others that wait.
   void add_outline(Drawing& drawing, const DPolygon& polygon, Role role, const std::string& name,
@@ -184,10 +176,8 @@ class Picture {
   }
   /// Where one may cover the other.
   void add_common(Drawing& drawing, const DPolygon& p, const DPolygon& q, Role role) const {
-    const Ring2 ring = common_part(at(p), at(q));
-    if (ring.size() < 3) return;
-    drawing.add({"q common inside", role, Area{{ring}, 3}});
-    drawing.add({"q common", role, Path{ring, true}});
+    if (const Ring2 ring = common_part(at(p), at(q)); ring.size() >= 3)
+      add_ring(drawing, "q common", role, ring, 3);
   }
   /// A line that has p on one side and q on the other: level, upright, or along an edge.
   void add_parting(Drawing& drawing, const DPolygon& p, const DPolygon& q, Test passed) const {
@@ -215,34 +205,20 @@ class Picture {
   }
 
  private:
-  static std::vector<dvec3> corners_on(const Task& task) {
-    std::vector<dvec3> points;
-    for (const DPolygon& polygon : task.polygons) {
-      for (const dvec2 p : task.seen(polygon)) points.emplace_back(p, 0);
-    }
-    return points;
-  }
-  std::vector<dvec3> on_screen(const DPolygon& polygon) const {
-    std::vector<dvec3> ring;
-    for (const dvec2 p : task_.seen(polygon)) ring.emplace_back(p, 0);
-    return ring;
+  Ring on_screen(const DPolygon& polygon) const {
+    return mapped(polygon.corners, [&](dvec3 p) { return dvec3(task_.seen(p), 0); });
   }
   static std::pair<double, double> range(const Ring2& ring, int axis) {
-    Rectangle extent;
-    for (const dvec2 p : ring) extent.add(p);
+    const Rectangle extent = extent_around(ring);
     return {extent.lower[axis], extent.upper[axis]};
   }
   static bool add_parting_edge(Drawing& drawing, const Ring2& ring, const Ring2& other) {
-    const auto side = [](dvec2 a, dvec2 b, dvec2 p) {
-      return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-    };
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const dvec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+    for (const auto& [a, b] : sides_of(ring)) {
+      const auto side = [&](dvec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); };
       double inside = 0;
-      for (const dvec2 p : ring) inside += side(a, b, p);
+      for (const dvec2 p : ring) inside += side(p);
       const double margin = 1e-6 * std::abs(inside);
-      if (std::ranges::any_of(other, [&](dvec2 p) { return side(a, b, p) * inside > margin * margin; }))
-        continue;
+      if (std::ranges::any_of(other, [&](dvec2 p) { return side(p) * inside > margin * margin; })) continue;
       const auto [from, to] = span_in(picture_place, a, b - a, -1e3, 1e3);
       drawing.add({"m parting", Role::measure, Stroke{a + from * (b - a), a + to * (b - a), false, true}});
       return true;
@@ -309,10 +285,7 @@ class OrderPicture {
 class PlanPicture {
  public:
   PlanPicture(const Task& task, const Rectangle& place) : task_(task), place_(place), panel_(place, {}) {
-    Rectangle extent;
-    for (const DPolygon& polygon : task.polygons) {
-      for (const dvec3 p : polygon.corners) extent.add(task.from_above(p));
-    }
+    Rectangle extent = extent_around(mapped(task.points, [&](dvec3 p) { return task.from_above(p); }));
     if (shows_eye(extent)) extent.add(dvec2{0});
     panel_ = Panel({place_.lower + dvec2{0, 1.4}, place_.upper}, extent);
     if (shows_eye(extent)) eye_ = panel_.at(dvec2{0});
@@ -320,15 +293,9 @@ class PlanPicture {
 
   void add_polygon(Drawing& drawing, const DPolygon& polygon, Role role, const std::string& name,
                    int rank) const {
-    Ring2 ring;
-    dvec2 middle{0};
-    for (const dvec3 p : polygon.corners) {
-      ring.push_back(panel_.at(task_.from_above(p)));
-      middle += ring.back() / static_cast<double>(polygon.corners.size());
-    }
-    const std::string id = fmt::format("v {} {}", rank, name);
-    drawing.add({id, role, Path{ring, true}});
-    drawing.add({"w " + name, role, Label{middle, name}});
+    const Ring2 ring = mapped(polygon.corners, [&](dvec3 p) { return panel_.at(task_.from_above(p)); });
+    drawing.add({fmt::format("v {} {}", rank, name), role, Path{ring, true}});
+    drawing.add({"w " + name, role, Label{middle_of(ring), name}});
   }
   /// The eye, or the way to it.
   void add_eye(Drawing& drawing, const std::string& name) const {
