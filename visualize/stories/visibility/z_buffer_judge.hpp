@@ -25,10 +25,8 @@ class Judge {
     for (int axis = 0; axis < 3; ++axis) {
       const int j = (axis + 1) % 3, k = (axis + 2) % 3;
       normal_[axis] = Exact{};
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const dvec3 &p = ring[i], &q = ring[i + 1 < ring.size() ? i + 1 : 0];
+      for (const auto& [p, q] : sides_of(ring))
         normal_[axis] += Exact(p[j]) * Exact(q[k]) - Exact(p[k]) * Exact(q[j]);
-      }
     }
     const auto by_place = [](const dvec3& a, const dvec3& b) {
       return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};

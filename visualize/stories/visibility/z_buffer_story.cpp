@@ -3,6 +3,7 @@
 #include "visibility/z_buffer/z_buffer.hpp"
 
 #include "stories/parameters.hpp"
+#include "stories/rings.hpp"
 #include "stories/visibility/z_buffer_judge.hpp"
 #include "stories/visibility/z_buffer_subject.hpp"
 #include "visibility/z_buffer/z_buffer_notes.hpp"
@@ -29,8 +30,7 @@ class Story {
   std::int64_t wrong() const { return std::ssize(wrong_); }
 
   void show(Board& board, const steps::Started&) {
-    count();
-    board.milestone();
+    next(board);
     for (int y = 0; !look_.rows && y < subject_.size.y; ++y) clear_row(board, y);
     if (look_.rows) {
       for (const Face& face : subject_.faces) keep_outline(board, face.id, Role::guide);
@@ -50,29 +50,21 @@ class Story {
   }
 
   void show(Board& board, const FaceTaken& f) {
-    settle(board);
-    count();
-    board.milestone();
+    next(board);
     keep_outline(board, f.id, Role::input);
   }
   Event say(const FaceTaken& f) const {
-    Event event{.text = "edge_on",
-                .facts = {{"face", subject_.name(f.id)}},
-                .words = {{"face", subject_.name(f.id)}},
-                .key = subject_.name(f.id)};
+    Event event{.text = "edge_on", .facts = {{"face", subject_.name(f.id)}}, .key = subject_.name(f.id)};
     if (!f.plane) return event;
-    const bool level = f.plane->right == 0 && f.plane->down == 0;
+    const auto& plane = *f.plane;
+    const bool level = plane.right == 0 && plane.down == 0;
     event.text = level ? "taken_level" : "taken_sloped";
-    event.facts.push_back({"right", f.plane->right});
-    event.facts.push_back({"down", f.plane->down});
-    event.words.push_back({"z", f.plane->nearest});
-    event.words.push_back({"to", f.plane->farthest});
-    event.words.push_back({"right", f.plane->right});
-    event.words.push_back({"down", f.plane->down});
-    if (!subject_.sight.eye) return event;
-    event.text = level ? "taken_level_eye" : "taken_sloped_eye";
-    event.words.push_back({"near", rounded(subject_.sight.z_of(f.plane->nearest))});
-    event.words.push_back({"far", rounded(subject_.sight.z_of(f.plane->farthest))});
+    if (subject_.sight.eye) event.text = level ? "taken_level_eye" : "taken_sloped_eye";
+    event.facts.insert(event.facts.end(), {{"right", plane.right}, {"down", plane.down}});
+    event.words = {{"z", plane.nearest},
+                   {"to", plane.farthest},
+                   {"near", rounded(subject_.sight.z_of(plane.nearest))},
+                   {"far", rounded(subject_.sight.z_of(plane.farthest))}};
     return event;
   }
 
@@ -82,9 +74,7 @@ class Story {
     tested_ = c.key;
     const auto there = holder_.find(place(c.pixel));
     before_ = there == holder_.end() ? std::nullopt : std::optional(there->second);
-    if (c.nearer) {
-      holder_[place(c.pixel)] = c.key;
-    }
+    if (c.nearer) holder_[place(c.pixel)] = c.key;
     if (before_ && tells(c)) {
       telling_ = {milestones_, fine_};
       told_ = c.key;
@@ -113,21 +103,19 @@ class Story {
                         : c.nearer ? "nearer"
                                    : "farther",
                 .facts = {{"pixel", c.pixel}, {"face", face}, {"nearer", c.nearer}},
-                .words = {{"face", face}, {"other", other}, {"z", z}, {"old", old}, {"pixel", c.pixel}},
+                .words = {{"other", other}, {"z", z}, {"old", old}},
                 .row = {face, c.pixel.x, c.pixel.y, z, old, c.nearer ? face : other},
-                .key = pixel_key(c.pixel)};
-    event.level = Level::step;
+                .key = pixel_key(c.pixel),
+                .level = Level::step};
     add_places(event, c);
     if (look_.whole && c.nearer) {
       event.text = "whole";
-      event.words.push_back({"colour", channels(subject_.color(c.key))});
-      event.words.push_back({"rest", channels(fill(c.key))});
+      add(event, {{"colour", channels(subject_.color(c.key))}, {"rest", channels(fill(c.key))}});
     }
     if (before_ && !c.nearer && is_wrong(c.pixel)) {
       const double exact = z_at(c.key, c.pixel), held = z_at(*before_, c.pixel);
       event.text = exact == held ? "tie_wrong" : "fight";
-      event.words.push_back({"exact", digits(exact)});
-      event.words.push_back({"held", digits(held)});
+      add(event, {{"exact", digits(exact)}, {"held", digits(held)}});
     }
     event.decides = yes_or_no(words_, tie ? "question.tie" : "question",
                               {{"z", z}, {"old", old}, {"face", face}, {"other", other}}, c.nearer,
@@ -136,15 +124,13 @@ class Story {
   }
 
   void show(Board& board, const FaceDone& f) {
-    settle(board);
-    count();
-    board.milestone();
+    next(board);
     keep_outline(board, f.id, Role::input);
   }
   Event say(const FaceDone& f) const {
     return {.text = "face_done",
             .facts = {{"compared", f.compared}, {"kept", f.kept}},
-            .words = {{"face", subject_.name(f.id)}, {"kept", f.kept}, {"left", f.compared - f.kept}},
+            .words = {{"face", subject_.name(f.id)}, {"left", f.compared - f.kept}},
             .count = f.compared,
             .note = words_.say("note.face_done", {{"face", subject_.name(f.id)}}),
             .key = subject_.name(f.id),
@@ -152,36 +138,31 @@ class Story {
   }
 
   void show(Board& board, const RowBegun& r) {
-    settle(board);
-    count();
-    board.milestone({0, r.y});
+    next(board, r.y);
     clear_row(board, r.y);
     board.keep("row", Role::candidate, row_box(r.y));
   }
   Event say(const RowBegun& r) const {
     return {.text = "row_begun",
             .facts = {{"row", r.y}},
-            .words = {{"row", r.y}, {"columns", subject_.size.x}},
+            .words = {{"columns", subject_.size.x}},
             .key = figure_number(r.y)};
   }
   void show(Board& board, const RowDone& r) {
-    settle(board);
-    count();
-    board.milestone({0, r.y});
+    next(board, r.y);
     for (int x = 0; x < subject_.size.x; ++x) {
       const auto there = holder_.find({x, r.y});
-      if (there == holder_.end()) {
+      if (there == holder_.end())
         board.bare({x, r.y});
-      } else {
+      else
         board.put({x, r.y}, Role::result, "", fill(there->second));
-      }
     }
     board.keep("row", Role::candidate, row_box(r.y));
   }
   Event say(const RowDone& r) const {
     return {.text = "row_done",
             .facts = {{"compared", r.compared}, {"kept", r.kept}},
-            .words = {{"row", r.y}, {"kept", r.kept}},
+            .words = {{"row", r.y}},
             .count = r.compared,
             .key = figure_number(r.y),
             .level = Level::idea};
@@ -210,14 +191,10 @@ class Story {
                         : look_.rows      ? "finished_rows"
                                           : "finished",
                 .facts = {{"compared", f.compared}, {"kept", f.kept}, {"bytes", f.bytes}},
-                .words = {{"bytes", f.bytes},
-                          {"cell", sizeof(Cell<T, Id>)},
+                .words = {{"cell", sizeof(Cell<T, Id>)},
                           {"cells", f.bytes / std::int64_t{sizeof(Cell<T, Id>)}},
-                          {"pixels", holder_.size()},
-                          {"compared", f.compared},
-                          {"kept", f.kept}},
-                .count = f.compared};
-    if (!wrong_.empty()) event.count = std::ssize(wrong_);
+                          {"pixels", holder_.size()}},
+                .count = wrong_.empty() ? f.compared : std::ssize(wrong_)};
     if constexpr (!std::same_as<T, double>) {
       event.text = wrong_.empty() ? "finished_precise" : "finished_fight";
       if (wrong_.empty()) event.count = std::ssize(holder_);
@@ -227,13 +204,19 @@ class Story {
   }
 
  private:
+  static void add(Event& event, std::initializer_list<Word> words) {
+    event.words.insert(event.words.end(), words);
+  }
   /// Of what a pixel has room for, in bytes: "< 2.5", "< ∞"; "< 0.25" where pixels are large.
   std::size_t widest() const { return std::max(subject_.size.x, subject_.size.y) <= 6 ? 6 : 5; }
 
   static std::pair<int, int> place(ivec2 p) { return {p.x, p.y}; }
-  void count() {
+  /// The next whole number, of a row or of the whole picture.
+  void next(Board& board, int row = 0) {
+    settle(board);
     ++milestones_;
     fine_ = 0;
+    board.milestone({0, row});
   }
   /// Whether this pixel tells more than those before: one that goes wrong, or else one that changes hands.
   bool tells(const Compared<T, Id>& c) {
@@ -258,8 +241,7 @@ class Story {
     const double now = rounded(z_at(c.key, c.pixel)), held = rounded(z_at(*before_, c.pixel));
     if (now == held) return;
     event.text = c.nearer ? "nearer_eye" : "farther_eye";
-    event.words.push_back({"now", now});
-    event.words.push_back({"there", held});
+    add(event, {{"now", now}, {"there", held}});
   }
 
   Rgba8 fill(Id id) const {
@@ -285,8 +267,7 @@ class Story {
     at_hand_.reset();
   }
   Path row_box(int y) const {
-    const double right = subject_.size.x - 0.5;
-    return {{{-0.5, y - 0.5}, {right, y - 0.5}, {right, y + 0.5}, {-0.5, y + 0.5}}, true};
+    return {Extent{{-0.5, y - 0.5}, {subject_.size.x - 0.5, y + 0.5}}.corners(), true};
   }
   void clear_row(Board& board, int y) const {
     for (int x = 0; x < subject_.size.x; ++x) board.put({x, y}, Role::guide, "∞");
@@ -368,46 +349,35 @@ void with_depths(const Arguments& arguments, const Subject& subject, const auto&
   use(double{}, Exactly{});
 }
 
-void tell_per_polygon(Narrator& narrator) {
+template <bool rows>
+void tell_stored(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   with_depths(narrator.arguments(), subject, [&]<class T>(T, auto store) {
-    tell_walk<T>(narrator, subject, store, {}, [&](const auto& watch) {
-      Raster<Cell<T, Id>> buffer(subject.size.x, subject.size.y);
-      per_polygon<T>(subject.faces, buffer, store, watch);
+    tell_walk<T>(narrator, subject, store, {.rows = rows}, [&](const auto& watch) {
+      Raster<Cell<T, Id>> buffer(subject.size.x, rows ? 1 : subject.size.y);
+      const std::span<const Face> faces(subject.faces);
+      if constexpr (rows)
+        scanline<T>(faces, subject.picture(), buffer.row(0), store, [](ivec2, Id) {}, watch);
+      else
+        per_polygon<T>(faces, buffer, store, watch);
     });
   });
 }
 
-void tell_scanline(Narrator& narrator) {
+template <bool whole>
+void tell_mistake(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
-  with_depths(narrator.arguments(), subject, [&]<class T>(T, auto store) {
-    tell_walk<T>(narrator, subject, store, {.rows = true}, [&](const auto& watch) {
-      std::vector<Cell<T, Id>> line(static_cast<std::size_t>(subject.size.x));
-      scanline<T>(
-          std::span<const Face>(subject.faces), subject.picture(), std::span(line), store, [](ivec2, Id) {},
-          watch);
-    });
-  });
-}
-
-void tell_first_come(Narrator& narrator) {
-  const Subject subject = subject_of(narrator.arguments());
-  tell_walk<double>(narrator, subject, Exactly{}, {}, [&](const auto& watch) {
-    Raster<Cell<double, Id>> buffer(subject.size.x, subject.size.y);
-    first_come(subject.faces, buffer, Exactly{}, watch);
-  });
-}
-
-void tell_integer_colours(Narrator& narrator) {
-  const Subject subject = subject_of(narrator.arguments());
-  tell_walk<double>(narrator, subject, Exactly{}, {.whole = true}, [&](const auto& watch) {
+  tell_walk<double>(narrator, subject, Exactly{}, {.whole = whole}, [&](const auto& watch) {
     Raster<Cell<double, Id>> buffer(subject.size.x, subject.size.y);
     Raster<glm::ivec3> colours(subject.size.x, subject.size.y);
     const auto colour_of = [&](Id id) {
       const Rgba8 c = subject.color(id);
       return dvec3(c.r, c.g, c.b) / 255.0;
     };
-    integer_colours(subject.faces, buffer, colours, colour_of, Exactly{}, watch);
+    if constexpr (whole)
+      integer_colours(subject.faces, buffer, colours, colour_of, Exactly{}, watch);
+    else
+      first_come(subject.faces, buffer, Exactly{}, watch);
   });
 }
 
@@ -422,15 +392,15 @@ const TopicEntry& entry() {
        .chapter = "visibility",
        .aliases = {"depth buffer", "depth test", "z-buffer", "hidden surface removal", "z-fighting"},
        .summary = "at every pixel the nearest face, whatever the order of drawing",
-       .methods = {{.name = "per_polygon", .standing = Standing::taught, .tell = tell_per_polygon},
-                   {.name = "scanline", .tell = tell_scanline},
+       .methods = {{.name = "per_polygon", .standing = Standing::taught, .tell = tell_stored<false>},
+                   {.name = "scanline", .tell = tell_stored<true>},
                    {.name = "first_come",
                     .standing = Standing::faulty,
-                    .tell = tell_first_come,
+                    .tell = tell_mistake<false>,
                     .unread = {"depth", "near", "far"}},
                    {.name = "integer_colours",
                     .standing = Standing::faulty,
-                    .tell = tell_integer_colours,
+                    .tell = tell_mistake<true>,
                     .unread = {"depth", "near", "far"}}},
        .default_method = "per_polygon",
        .columns = {{"face", false}, {"x"}, {"y"}, {"z"}, {"old"}, {"shown", false}},

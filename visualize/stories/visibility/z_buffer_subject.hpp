@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "stories/outline.hpp"
+#include "stories/rings.hpp"
 #include "stories/telling.hpp"
 #include "visibility/z_buffer/z_buffer.hpp"
 
@@ -74,10 +75,10 @@ inline Rgba8 color_of(std::string_view text) {
 /// Whether no corner lies on the wrong side of an edge, as one sees the face.
 inline bool is_convex(const std::vector<dvec3>& c) {
   bool left = false, right = false;
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    const dvec2 a(c[i]), way = dvec2(c[i + 1 < c.size() ? i + 1 : 0]) - a;
+  for (const auto& [a, b] : sides_of(c)) {
+    const dvec2 way = dvec2(b) - dvec2(a);
     for (const dvec3& corner : c) {
-      const dvec2 to = dvec2(corner) - a;
+      const dvec2 to = dvec2(corner) - dvec2(a);
       const double side = way.x * to.y - way.y * to.x;
       const double noise = 1e-12 * (std::abs(way.x * to.y) + std::abs(way.y * to.x));
       left = left || side > noise;
@@ -233,15 +234,11 @@ inline std::string digits(double z) { return fmt::format("{}{:.9g}", z < 0 ? "âˆ
 inline double rounded(double z) {
   return std::abs(z) >= 1 ? std::round(z * 100) / 100 : std::stod(fmt::format("{:.3g}", z));
 }
-inline Path square(ivec2 pixel) {
-  const dvec2 p(pixel);
-  return {{p + dvec2{-0.5, -0.5}, p + dvec2{0.5, -0.5}, p + dvec2{0.5, 0.5}, p + dvec2{-0.5, 0.5}}, true};
-}
+inline Path square(ivec2 pixel) { return {Extent{dvec2(pixel) - 0.5, dvec2(pixel) + 0.5}.corners(), true}; }
 /// What lies beyond `bound` along an axis, looked at in direction `sign`.
 inline std::vector<dvec2> cut(const std::vector<dvec2>& ring, int axis, double sign, double bound) {
   std::vector<dvec2> kept;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const dvec2 a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+  for (const auto& [a, b] : sides_of(ring)) {
     const double da = sign * a[axis] - bound, db = sign * b[axis] - bound;
     if (da >= 0) kept.push_back(a);
     if ((da < 0) != (db < 0)) kept.push_back(a + da / (da - db) * (b - a));
