@@ -83,7 +83,7 @@ def test_a_lecture_says_how():
     write("mine.json", '{"language": "de", "figures": [{"topic": "bresenham_line", "input": {"to": "5,2"}, "labels": {"p": "d"}}]}')
     made(*LINE, "-o", "s.pdf", "--lecture", "mine.json", "-q")
     page = pages_text("s.pdf")[0]
-    check("Füllen Sie" in page and re.search(r"^ +k +x +y +d +", page, re.M), page)
+    check("Die leeren Felder der Tabelle" in page and re.search(r"^ +k +x +y +d +", page, re.M), page)
     equal(len(re.findall(r"^ +[0-5] *$|^ +0 ", page, re.M)) >= 6, True, "six rows")
     result = gradus("worksheet", "liang_barsky", "-o", "t.pdf", "--lecture", "mine.json")
     equal((result.code, result.err), (2, "gradus: --lecture: expected a lecture with a figure of liang_barsky, found 'mine.json'\n"),
