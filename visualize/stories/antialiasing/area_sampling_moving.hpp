@@ -63,9 +63,9 @@ class MovingStory {
       base_.add(
           {fmt::format("t {}", panel), Role::guide, Text{at, words_.say(panel == 0 ? "centres" : "areas")}});
       for (int k = 0; k < places; ++k) {
-        const dvec2 a = dvec2(corner(panel, k)) - 0.5, s(size_);
+        const dvec2 a = dvec2(corner(panel, k)) - 0.5;
         base_.add({fmt::format("f {} {}", panel, k), Role::past,
-                   Path{{a, a + dvec2{s.x, 0}, a + s, a + dvec2{0, s.y}}, true}});
+                   Path{Extent{a, a + dvec2(size_)}.corners(), true}});
       }
     }
     board.milestone(base_);

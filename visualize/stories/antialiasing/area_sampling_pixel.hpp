@@ -41,9 +41,7 @@ class PixelStory {
     mine_ = f.fragment.key;
     left_ = {ring_of(f.fragment.outline)};
     View view = at_hand();
-    std::vector<std::vector<dvec2>> lines;
-    for (const Shown& s : shown_) lines.push_back(s.ring);
-    const auto place = roomiest(left_.front(), lines);
+    const auto place = roomiest(left_.front(), mapped(shown_, &Shown::ring));
     if (place) view.add({"n mine", Role::current, Text{at(*place), name(mine_)}});
     board.milestone(std::move(view));
   }
@@ -159,9 +157,7 @@ class PixelStory {
   static constexpr double side = 22, corner = 2;
 
   static std::vector<dvec2> at(const std::vector<dvec2>& ring) {
-    std::vector<dvec2> on_paper;
-    for (const dvec2 p : ring) on_paper.push_back(at(p));
-    return on_paper;
+    return mapped(ring, [](dvec2 p) { return at(p); });
   }
   static dvec2 middle(const std::vector<dvec2>& ring) {
     dvec2 sum(0);
@@ -193,25 +189,9 @@ class PixelStory {
     return best;
   }
   static bool holds(const std::vector<dvec2>& ring, dvec2 p) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      if (doubled_area(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], p) < 0) return false;
-    }
-    return true;
+    return std::ranges::none_of(
+        sides_of(ring), [&](const auto& side) { return doubled_area(side.first, side.second, p) < 0; });
   }
-  /// From the edges of a ring, where a text is twice as wide as high.
-  static double distance(dvec2 p, const std::vector<dvec2>& ring) {
-    const dvec2 narrow{0.5, 1};
-    double least = 1;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const dvec2 a = ring[i], way = (ring[i + 1 < ring.size() ? i + 1 : 0] - a) * narrow,
-                  to = (p - a) * narrow;
-      const double length = glm::dot(way, way);
-      const double t = length > 0 ? std::clamp(glm::dot(to, way) / length, 0.0, 1.0) : 0;
-      least = std::min(least, glm::length(to - t * way));
-    }
-    return least;
-  }
-
   std::string name(int key) const { return subject_.names[static_cast<std::size_t>(key)]; }
   double brightness(int key) const { return subject_.grey[static_cast<std::size_t>(key)]; }
   double nearest(int key) const { return std::ranges::find(shown_, key, &Shown::key)->depths.x; }
@@ -227,6 +207,11 @@ class PixelStory {
     for (std::size_t i = 0; i < shown_.size(); ++i) add_depths(view, i);
     add_weights(view);
     return view;
+  }
+  static void add_area(View& view, const std::string& id, Role role, const std::vector<dvec2>& ring,
+                       int shade) {
+    view.add({id, role, Area{{ring}, shade}});
+    view.add({id + " border", role, Path{ring, true}});
   }
   Role role_of(int key) const {
     if (key == mine_) return Role::current;
@@ -251,9 +236,7 @@ class PixelStory {
     for (std::size_t i = 0; i < done_.size(); ++i) {
       const double high = unit * weights_[i];
       const std::string id = fmt::format("w {:02}", i);
-      const std::vector<dvec2> box{{left, top}, {right, top}, {right, top + high}, {left, top + high}};
-      view.add({id, Role::accepted, Area{{box}, 1}});
-      view.add({id + " border", Role::accepted, Path{box, true}});
+      add_area(view, id, Role::accepted, Extent{{left, top}, {right, top + high}}.corners(), 1);
       if (high > 1.3)
         view.add({id + " name", Role::accepted, Text{{(left + right) / 2, top + high / 2}, name(done_[i])}});
       top += high;
@@ -272,9 +255,7 @@ class PixelStory {
   }
   void outline(View& view, const Shown& s, Role role) const {
     view.add({"o " + name(s.key), role, Path{at(s.ring), true}});
-    std::vector<std::vector<dvec2>> lines;
-    for (const Shown& other : shown_) lines.push_back(other.ring);
-    const dvec2 place = roomiest(s.ring, lines).value_or(middle(s.ring));
+    const dvec2 place = roomiest(s.ring, mapped(shown_, &Shown::ring)).value_or(middle(s.ring));
     view.add({"n " + name(s.key), role, Text{at(place), name(s.key)}});
   }
   /// What is seen already, and what is left of the fragment at hand.
@@ -285,22 +266,17 @@ class PixelStory {
         view.add({"o " + name(s.key), Role::guide, Path{at(s.ring), true}});
     }
     for (std::size_t i = 0; i < seen_.size(); ++i) {
-      const std::string id = fmt::format("r {:02}", i);
-      view.add({id, Role::accepted, Area{{at(seen_[i].ring)}, 1}});
-      view.add({id + " border", Role::accepted, Path{at(seen_[i].ring), true}});
+      add_area(view, fmt::format("r {:02}", i), Role::accepted, at(seen_[i].ring), 1);
     }
     if (left_.empty()) add_areas(view);
     for (std::size_t i = 0; i < left_.size(); ++i) {
-      const std::string id = fmt::format("x {:02}", i);
-      view.add({id, Role::current, Area{{at(left_[i])}, 2}});
-      view.add({id + " border", Role::current, Path{at(left_[i]), true}});
+      add_area(view, fmt::format("x {:02}", i), Role::current, at(left_[i]), 2);
     }
     return view;
   }
   /// The areas of what is seen, each where there is room.
   void add_areas(View& view) const {
-    std::vector<std::vector<dvec2>> lines;
-    for (const SeenPiece& piece : seen_) lines.push_back(piece.ring);
+    const auto lines = mapped(seen_, &SeenPiece::ring);
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       const auto place = roomiest(seen_[i].ring, lines);
       if (!place) continue;
@@ -332,8 +308,7 @@ class PixelStory {
     view.add({"v other", Role::candidate, Path{at(taken), true}});
     for (std::size_t i = 0; i < before.size(); ++i) {
       std::vector<dvec2> rest = before[i];
-      for (std::size_t k = 0; k < taken.size(); ++k) {
-        const dvec2 a = taken[k], b = taken[(k + 1) % taken.size()];
+      for (const auto& [a, b] : sides_of(taken)) {
         rest = split(rest, 1e-12, [&](dvec2 p) { return doubled_area(a, b, p); }).inside;
       }
       if (rest.size() > 2) view.add({fmt::format("t {:02}", i), Role::rejected, Area{{at(rest)}}});
@@ -365,7 +340,7 @@ inline void let_drag(Narrator& narrator, const InPixel& subject) {
     double least = std::numeric_limits<double>::max();
     std::optional<dvec2> place;
     for (std::size_t k = 0; k < given.size(); ++k) {
-      std::vector<dvec2> ring;
+      Ring2 ring;
       for (const ivec2 corner : subject.triangles[k].corners) ring.push_back(in_pixels(dvec2(corner)));
       for (std::size_t i = 0; i < 3; ++i) {
         const dvec3 way = p - given[k].points[i];
@@ -378,9 +353,9 @@ inline void let_drag(Narrator& narrator, const InPixel& subject) {
   });
 }
 
-/// What is seen in the pixel 0,0, by one of the methods: run(fragments, see, observer).
-template <class Run>
-void tell_in_pixel(Narrator& narrator, bool faulty, const Run& run) {
+/// What is seen in the pixel 0,0.
+template <bool faulty>
+void tell_in_pixel(Narrator& narrator) {
   const ExactScope scope;
   const InPixel subject = in_pixel_of(narrator.arguments());
   std::vector<Fragment<Exact>> fragments;
@@ -403,7 +378,11 @@ void tell_in_pixel(Narrator& narrator, bool faulty, const Run& run) {
   let_drag(narrator, subject);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  run(std::span(fragments), [](const auto&, const auto&, Exact) {}, watch);
+  const auto drop = [](const auto&, const auto&, Exact) {};
+  if constexpr (faulty)
+    areas_without_visibility(std::span(fragments), drop, watch);
+  else
+    visible_areas(std::span(fragments), drop, watch);
   narrator.result({{"covered", story.covered()}, {"I", story.grey()}});
 }
 

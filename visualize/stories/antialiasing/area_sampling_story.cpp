@@ -43,8 +43,7 @@ class Story {
     } else {
       board.detail(of_row ? ivec2{window_.lower.x, number_} : ivec2{number_, row_});
     }
-    board.mark("left", Role::candidate, Area{{on_grid(b.left)}, 2});
-    board.mark("left border", Role::candidate, Path{on_grid(b.left), true});
+    mark(board, "left", Role::candidate, b.left);
     board.mark("border", Role::boundary, border(b.border));
   }
   Event say(const BorderCut& b) const {
@@ -61,29 +60,25 @@ class Story {
     next(board, a.pixel);
     sum_ = sum_ + a.area;
     board.put(a.pixel, Role::result, "", tone_on_paper(ink, to_double(a.area)));
-    const std::vector<dvec2> piece = on_grid(a.piece);
     if (window_.width() <= 8 && window_.height() <= 8)
       board.keep("area " + pixel_key(a.pixel), Role::input, Text{clear_place(a.pixel), area_text(a.area)});
-    board.mark("piece", Role::current, Area{{piece}, 2});
-    board.mark("piece border", Role::current, Path{piece, true});
+    mark(board, "piece", Role::current, a.piece);
     if (a.piece.size() < most_corners_) return;
     most_corners_ = a.piece.size();
     telling_ = {milestones_, 0};
   }
   Event say(const AreaTaken<Exact>& a) const {
     const double area = to_double(a.area);
-    Event event{
-        .text = a.area == Exact(1) ? "taken.whole" : "taken.piece",
-        .facts = {{"pixel", a.pixel}, {"corners", std::ssize(a.piece)}, {"area", area}},
-        .words = {{"area", area_text(a.area)},
-                  {"byte", byte_of(a.piece, a.pixel, area)},
-                  {"sum", area_text(sum_)},
-                  {"n", a.piece.size()}},
-
-        .row = {a.pixel.x, a.pixel.y, a.piece.size(), area_text(a.area), byte_of(a.piece, a.pixel, area)},
-        .key = pixel_key(a.pixel),
-        .phase = words_.say("phase.row", {{"row", row_}})};
-    return event;
+    const auto byte = byte_of(a.piece, a.pixel, area);
+    return {.text = a.area == Exact(1) ? "taken.whole" : "taken.piece",
+            .facts = {{"pixel", a.pixel}, {"corners", std::ssize(a.piece)}, {"area", area}},
+            .words = {{"area", area_text(a.area)},
+                      {"byte", byte},
+                      {"sum", area_text(sum_)},
+                      {"n", a.piece.size()}},
+            .row = {a.pixel.x, a.pixel.y, a.piece.size(), area_text(a.area), byte},
+            .key = pixel_key(a.pixel),
+            .phase = words_.say("phase.row", {{"row", row_}})};
   }
 
   void show(Board& board, const Finished&) { next(board, window_.lower); }
@@ -95,10 +90,12 @@ class Story {
   }
 
  private:
-  static std::vector<dvec2> on_grid(const Polygon& polygon) {
-    std::vector<dvec2> ring = ring_of(polygon);
-    for (dvec2& p : ring) p -= 0.5;
-    return ring;
+  static Ring2 on_grid(const Polygon& polygon) {
+    return mapped(ring_of(polygon), [](dvec2 p) { return p - 0.5; });
+  }
+  static void mark(Board& board, const std::string& id, Role role, const Polygon& polygon) {
+    board.mark(id, role, Area{{on_grid(polygon)}, 2});
+    board.mark(id + " border", role, Path{on_grid(polygon), true});
   }
   /// A border of the pixels, across the window.
   Stroke border(const Border& b) const {
@@ -113,20 +110,10 @@ class Story {
     double farthest_off = -1;
     for (int k = 0; k < 25; ++k) {
       const dvec2 p = dvec2(pixel) + dvec2{k % 5 - 2, k / 5 - 2} * dvec2{0.09, 0.14};
-      double off = 2;
-      for (std::size_t i = 0; i < outline_.size(); ++i)
-        off = std::min(off, distance(p, outline_[i], outline_[i + 1 < outline_.size() ? i + 1 : 0]));
-      off = std::min(off, 0.21) - 0.1 * glm::length(p - dvec2(pixel));
+      const double off = distance(p, outline_, 0.21) - 0.1 * glm::length(p - dvec2(pixel));
       if (off > farthest_off) farthest_off = off, best = p;
     }
     return best;
-  }
-  /// From an edge, with widths counted half.
-  static double distance(dvec2 p, dvec2 a, dvec2 b) {
-    const dvec2 narrow{0.5, 1}, way = (b - a) * narrow, to = (p - a) * narrow;
-    const double length = glm::dot(way, way);
-    const double t = length > 0 ? std::clamp(glm::dot(to, way) / length, 0.0, 1.0) : 0;
-    return glm::length(to - t * way);
   }
   static constexpr Rgba8 ink{86, 180, 233, 255};  // a light blue, on which figures can be read
   void next(Board& board, ivec2 focus) {
@@ -138,7 +125,7 @@ class Story {
   const Window window_;
   int number_ = 0, row_ = 0;
   Exact sum_ = 0;
-  std::vector<dvec2> outline_{};
+  Ring2 outline_{};
   std::size_t most_corners_ = 0;
   std::int64_t milestones_ = -1;
   std::optional<StepNumber> telling_{};
@@ -170,14 +157,6 @@ void tell_pixel_areas(Narrator& narrator) {
   narrator.result({{"sum", story.sum()}});
 }
 
-void tell_visible(Narrator& narrator) {
-  tell_in_pixel(narrator, false, [](auto... run) { visible_areas(run...); });
-}
-
-void tell_without_visibility(Narrator& narrator) {
-  tell_in_pixel(narrator, true, [](auto... run) { areas_without_visibility(run...); });
-}
-
 }  // namespace
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
@@ -193,7 +172,7 @@ const TopicEntry& entry() {
                     .tell = tell_pixel_areas,
                     .unread = {"triangles", "thin"}},
                    {.name = "visible_areas",
-                    .tell = tell_visible,
+                    .tell = tell_in_pixel<false>,
                     .file = "visible_areas.hpp",
                     .unread = {"polygon", "window", "thin"}},
                    {.name = "moving",
@@ -202,7 +181,7 @@ const TopicEntry& entry() {
                     .unread = {"polygon", "window", "triangles"}},
                    {.name = "areas_without_visibility",
                     .standing = Standing::faulty,
-                    .tell = tell_without_visibility,
+                    .tell = tell_in_pixel<true>,
                     .unread = {"polygon", "window", "thin"}},
                    {.name = "area_as_tone",
                     .standing = Standing::faulty,

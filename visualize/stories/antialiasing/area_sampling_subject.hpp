@@ -5,6 +5,7 @@
 #include "core/arithmetic/exact_scalar.hpp"
 #include "figure/tone_of.hpp"
 #include "stories/parameters.hpp"
+#include "stories/rings.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::area_sampling {
@@ -22,16 +23,25 @@ inline std::string area_text(Exact area) {
 inline dvec2 in_pixels(dvec2 corner) { return corner / double{subpixels}; }
 
 /// A cut polygon's corners in pixels.
-inline std::vector<dvec2> ring_of(const Polygon& polygon) {
-  std::vector<dvec2> ring;
-  for (const Vertex& v : polygon) ring.push_back(in_pixels(dvec2(v.whole) + dvec2(v.rest) / dvec2(v.of)));
-  return ring;
+inline Ring2 ring_of(const Polygon& polygon) {
+  return mapped(polygon,
+                [](const Vertex& v) { return in_pixels(dvec2(v.whole) + dvec2(v.rest) / dvec2(v.of)); });
 }
 /// An outline's corners.
-inline std::vector<dvec2> ring_of(const Outline<Exact>& outline) {
-  std::vector<dvec2> ring;
-  for (const auto& p : outline) ring.emplace_back(to_double(p.x), to_double(p.y));
-  return ring;
+inline Ring2 ring_of(const Outline<Exact>& outline) {
+  return mapped(outline, [](const auto& p) { return dvec2{to_double(p.x), to_double(p.y)}; });
+}
+
+/// How far a place is from the sides of a ring, where a text is twice as wide as high; at most so much.
+inline double distance(dvec2 p, const Ring2& ring, double most = 1) {
+  const dvec2 narrow{0.5, 1};
+  for (const auto& [a, b] : sides_of(ring)) {
+    const dvec2 way = (b - a) * narrow, to = (p - a) * narrow;
+    const double length = glm::dot(way, way);
+    const double t = length > 0 ? std::clamp(glm::dot(to, way) / length, 0.0, 1.0) : 0;
+    most = std::min(most, glm::length(to - t * way));
+  }
+  return most;
 }
 
 /// Whether two edges of a ring cross, or one ends on another.

@@ -22,8 +22,7 @@ class TonesStory {
   void show(Board& board, const steps::Started&) {
     for (const int panel : {0, 1}) {
       const dvec2 a = on_paper(panel, dvec2(-0.5)), s(size_);
-      base_.add({fmt::format("f {}", panel), Role::boundary,
-                 Path{{a, a + dvec2{s.x, 0}, a + s, a + dvec2{0, s.y}}, true}});
+      base_.add({fmt::format("f {}", panel), Role::boundary, Path{Extent{a, a + s}.corners(), true}});
       base_.add({fmt::format("t {}", panel), Role::guide,
                  Text{a + dvec2{0.5 * s.x, -0.7}, words_.say(panel == 0 ? "tones.wrong" : "tones.right")}});
       for (int y = 0; y < size_.y; ++y) {
@@ -46,8 +45,7 @@ class TonesStory {
     View view = base_;
     for (const int panel : {0, 1}) {
       const dvec2 a = on_paper(panel, dvec2(t.pixel - window_.lower) - 0.5);
-      view.add({fmt::format("x {}", panel), Role::current,
-                Path{{a, a + dvec2{1, 0}, a + 1.0, a + dvec2{0, 1}}, true}});
+      view.add({fmt::format("x {}", panel), Role::current, Path{Extent{a, a + 1.0}.corners(), true}});
     }
     board.milestone(std::move(view));
   }
