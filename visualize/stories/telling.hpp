@@ -315,7 +315,7 @@ class Narrator {
   auto watcher(Story& story) {
     return [this, &story]<class Step>(const Step& step, int line = __builtin_LINE(),
                                       const char* file = __builtin_FILE()) {
-      if constexpr (!requires { requires Story::template is_untold<Step>; }) tell(story, step, line, file);
+      this->tell(story, step, line, file);
     };
   }
   /// The same for what no step tells: an input, a whole curve.
@@ -359,7 +359,7 @@ class Narrator {
     if constexpr (requires { story.count(board_, step); }) {
       if (board_.full()) return story.count(board_, step);
     }
-    if constexpr (requires { story.take(step); }) {
+    if constexpr (requires { story.draw(); }) {
       story.take(step);
       if constexpr (Story::template is_finer<Step>)
         board_.detail(story.draw());
@@ -371,6 +371,9 @@ class Narrator {
     if constexpr (requires { story.tells(step); }) board_.tells(story.tells(step));
     tell(step_name<Step>(), in_listed_file(line, file), [&] { return story.say(step); });
   }
+  template <class Story, class Step>
+    requires(Story::template is_untold<Step>)
+  void tell(Story&, const Step&, int, const char*) {}
   static constexpr std::string_view name_in(std::string_view function) {
     std::string_view name = function.substr(function.find("Step = ") + 7);
     name = name.substr(0, name.find_first_of("<;],"));
