@@ -350,7 +350,7 @@ class ListingLayout {
     }
   }
 
-  /// Its number in the listing, in which what is struck out has none.
+  /// Its number in the listing, in which struck lines are not counted.
   int place_of(std::size_t index) const {
     return 1 + static_cast<int>(std::count_if(figure_.listing.begin(),
                                               figure_.listing.begin() + static_cast<std::ptrdiff_t>(index),

@@ -61,7 +61,7 @@ std::vector<Integer> exact_rounds(std::vector<Integer> points, int rounds, bool 
   return points;
 }
 
-/// In parts of 2 u M a round and the smallest number that there is.
+/// In parts of 2 u M a round and the smallest positive number.
 double points_error(const Input& i) {
   if (!std::isfinite(i.back())) return 0;
   const auto [polygon, rounds, ends] = given_in(i);

@@ -141,7 +141,7 @@ class CutStory : public Past<steps::Started, EdgeCut<double>, RoundDone, Finishe
 
 class LimitStory : public Past<steps::Started, ArcFound<double>, Finished> {
  public:
-  LimitStory(const Words& words, const Scene& scene) : words_(words), scene_(scene) {}
+  explicit LimitStory(const Scene& scene) : scene_(scene) {}
 
   Event say(const steps::Started&) const {
     return {.text = "limit.started", .count = static_cast<std::int64_t>(scene_.arcs())};
@@ -172,7 +172,6 @@ class LimitStory : public Past<steps::Started, ArcFound<double>, Finished> {
   }
 
  private:
-  const Words& words_;
   const Scene& scene_;
 };
 
@@ -210,7 +209,7 @@ void tell_limit(Narrator& narrator) {
   narrator.columns({{"corner", false}, {"from"}, {"control"}, {"to"}});
   narrator.legend(
       {{Role::input, "polygon"}, {Role::current, "legs"}, {Role::measure, "top"}, {Role::result, "arcs"}});
-  LimitStory story(narrator.words(), scene);
+  LimitStory story(scene);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   limit<double>(subject.polygon, subject.ends, [](const auto&) {}, watch);
