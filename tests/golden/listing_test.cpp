@@ -1,5 +1,6 @@
-// Which line of the listing each kind of step marks, and which inputs can be dragged: one golden file a
-// topic. GRADUS_UPDATE_GOLDEN=1 writes the files anew; look at the difference before committing it.
+// Which line of the listing each kind of step marks, which inputs can be dragged, and whether a run decides
+// anything: one golden file a topic. GRADUS_UPDATE_GOLDEN=1 writes the files anew; look at the difference
+// before committing it.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -36,6 +37,13 @@ std::string dragged(const Trace& trace) {
     if (std::ranges::find(names, handle.parameter) == names.end()) names.push_back(handle.parameter);
   }
   return names.empty() ? "" : fmt::format("  dragged: {}\n", fmt::join(names, ", "));
+}
+
+/// Some methods only compute.
+std::string decided(const Trace& trace) {
+  const bool any =
+      std::ranges::any_of(trace.steps, [](const TraceStep& step) { return step.decision.has_value(); });
+  return any ? "" : "  decides nothing\n";
 }
 
 /// What each kind of step marks: one row a line, with the steps that mark it, in the order of their first.
@@ -109,7 +117,7 @@ TEST(Listing, MarksTheLinesOfTheGoldenFilesWithoutPlumbing) {
     for (const Method& method : entry->methods) {
       // Recorded once for both: that is what takes the time
       const Trace trace = test::trace_of(entry->name, {{"method", method.name}});
-      marks.push_back({method.name, dragged(trace) + marks_of(trace)});
+      marks.push_back({method.name, dragged(trace) + decided(trace) + marks_of(trace)});
       expect_no_plumbing(trace, method);
       SCOPED_TRACE(fmt::format("{} {}", entry->name, method.name));
       expect_nothing_of_the_sources_signs(trace.listing);

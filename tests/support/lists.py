@@ -44,7 +44,7 @@ def promises():
     for part in re.split(r"^(?=\S)", said, flags=re.MULTILINE)[1:]:
         topic, *its = part.splitlines()
         count += len(its)
-        kept = "; ".join(re.sub(r"^  (\w+) +", r"`\1`: ", line).replace("|", r"\|") for line in its)
+        kept = "; ".join(re.sub(r"^  (\w+) +", r"`\1`: ", line.replace("`", "")).replace("|", r"\|") for line in its)
         rows.append(f"| `{topic}` | {kept} |")
     head = f"{count} promises of {len(rows)} topics and parts:\n\n| topic | promises |\n|---|---|\n"
     return head + "\n".join(rows)

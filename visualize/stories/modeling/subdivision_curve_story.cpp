@@ -41,7 +41,9 @@ class Scene {
 
   const Panel& panel() const { return panel_; }
   dvec2 at(dvec2 p) const { return panel_.at(p); }
-  Path path(const Polygon& points, bool closed) const { return {panel_.at(points), closed}; }
+  Path path(const Polygon& points, bool closed, bool dashed = false) const {
+    return {panel_.at(points), closed, dashed};
+  }
 
   void add_polygon(View& view) const {
     view.add({"a polygon", Role::input, path(subject_.polygon, subject_.closed())});
@@ -53,7 +55,7 @@ class Scene {
     for (std::size_t i = 0; i < std::min(count, arcs_.size()); ++i) {
       Polygon points;
       for (int k = 0; k <= pieces; ++k) points.push_back(arcs_[i].at(static_cast<double>(k) / pieces));
-      view.add({fmt::format("g arc {:02}", i), role, path(points, false)});
+      view.add({fmt::format("g arc {:02}", i), role, Path{panel_.at(points), false, role == Role::measure}});
     }
   }
   std::size_t arcs() const { return arcs_.size(); }
@@ -76,8 +78,7 @@ class CutStory : public Past<steps::Started, EdgeCut<double>, RoundDone, Finishe
 
   Event say(const steps::Started&) const {
     return {.text = subject_.closed() ? "started.closed" : "started.open",
-            .words = {{"rounds", subject_.rounds}},
-            .count = std::ssize(subject_.polygon)};
+            .words = {{"rounds", subject_.rounds}, {"corners", subject_.polygon.size()}}};
   }
   Event say(const EdgeCut<double>& e) const {
     return {.text = "edge_cut",
@@ -121,9 +122,10 @@ class CutStory : public Past<steps::Started, EdgeCut<double>, RoundDone, Finishe
       so_far.push_back(e.r);
     }
     view.add({"d so far", Role::result, scene_.path(so_far, false)});
-    view.add({"e edge", Role::current, Stroke{scene_.at(edge->whole.a), scene_.at(edge->whole.b)}});
-    view.add_named("f q", Role::current, scene_.at(edge->q), "Q");
-    view.add_named("f r", Role::current, scene_.at(edge->r), "R");
+    view.add(
+        {"e edge", Role::current, Stroke{scene_.at(edge->whole.a), scene_.at(edge->whole.b), false, true}});
+    view.add_named("f q", Role::current, scene_.at(edge->q), words_.symbol("Q"));
+    view.add_named("f r", Role::current, scene_.at(edge->r), words_.symbol("R"));
     return view;
   }
 
@@ -164,7 +166,7 @@ class LimitStory : public Past<steps::Started, ArcFound<double>, Finished> {
     scene_.add_limit(view, Role::result, count);
     if (!found) return view;
     const auto& [from, control, to] = found->arc;
-    view.add({"e legs", Role::current, scene_.path({from, control, to}, false)});
+    view.add({"e legs", Role::current, scene_.path({from, control, to}, false, true)});
     view.add({"f from", Role::current, Dot{scene_.at(from)}});
     view.add({"f to", Role::current, Dot{scene_.at(to)}});
     view.add({"f top", Role::measure, Dot{scene_.at(found->arc.at(0.5))}});
@@ -180,8 +182,8 @@ class LimitStory : public Past<steps::Started, ArcFound<double>, Finished> {
 void set_up(Narrator& narrator, const Subject& subject, const Scene& scene) {
   require_scale(scene.panel(), narrator.arguments(), {"polygon"});
   narrator.paper(paper_width, paper_height);
-  narrator.trace().subtitle = narrator.words().count(subject.closed() ? "subtitle.closed" : "subtitle.open",
-                                                     std::ssize(subject.polygon));
+  narrator.subtitle(subject.closed() ? "subtitle.closed" : "subtitle.open",
+                    {{"corners", subject.polygon.size()}});
   narrator.handles("polygon", shown_in(scene.panel()));
 }
 
