@@ -8,9 +8,7 @@
 namespace gradus {
 namespace {
 
-Path rectangle(dvec2 from, dvec2 size) {
-  return {{from, from + dvec2{size.x, 0}, from + size, from + dvec2{0, size.y}}, true};
-}
+Path rectangle(dvec2 from, dvec2 size) { return {Extent{from, from + size}.corners(), true}; }
 
 }  // namespace
 

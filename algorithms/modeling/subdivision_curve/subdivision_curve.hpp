@@ -126,13 +126,14 @@ Points<T> chaikin(Points<T> points, int rounds, Ends ends, O&& observer = {}) {
   const T s(0.75), t(0.25);
   for (int k = 0; k < rounds; ++k) {
     Points<T> cut;
+    cut.reserve(2 * points.size());
     for (auto [a, b] : edges(points, ends)) {
       const P q = s * a + t * b;
       const P r = t * a + s * b;
       cut.insert(cut.end(), {q, r});
       if constexpr (observed<O>) observer(EdgeCut<T>{k + 1, cut.size() / 2 - 1, {a, b}, q, r});
     }
-    points = cut;
+    swap(points, cut);
     if constexpr (observed<O>) observer(RoundDone{k + 1, std::ssize(points)});
   }
   if constexpr (observed<O>) observer(Finished{std::ssize(points)});
