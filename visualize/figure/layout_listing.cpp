@@ -100,7 +100,7 @@ std::size_t loop_of(const std::vector<SourceLine>& lines, std::size_t line) {
   if (is_head(line)) return line;
   // A brace that closes a loop belongs to it
   std::size_t indent = indent_of(lines[line].text) + (code(line).starts_with('}') ? 1u : 0u);
-  for (std::size_t i = line; i-- > 0;) {
+  for (std::size_t i = line; i-- > 0 && !is_heading(lines[i].text);) {
     if (indent_of(lines[i].text) >= indent || code(i).empty() || code(i).starts_with("//")) continue;
     if (lines[i].change == Change::struck) continue;
     indent = indent_of(lines[i].text);
@@ -333,7 +333,7 @@ class ListingLayout {
                 {{box_.x, y_, 6 * s_, height}, Paint::of(Tone::accent), {}, 0, 0, false, Hatch::none, {}});
     }
     const Paint quiet = Paint::of(Tone::muted), ink = Paint::of(Tone::ink);
-    if (numbers_ != LineNumbers::none && line.change != Change::struck) {
+    if (numbers_ != LineNumbers::none && is_counted(line)) {
       const int shown = numbers_ == LineNumbers::source ? line.number : place_of(index);
       write(fmt::format("number {}", line.number), fmt::format("{}", shown), number_right_,
             {Face::mono, Align::right, strong ? ink : quiet, ground});
@@ -342,7 +342,7 @@ class ListingLayout {
       write(fmt::format("change {}", line.number), line.change == Change::struck ? "−" : "+",
             text_left_ - sign_gap * s_, {Face::mono_bold, Align::right, ink, ground});
     }
-    const Face face = strong ? Face::mono_bold : Face::mono;
+    const Face face = strong || is_heading(line.text) ? Face::mono_bold : Face::mono;
     for (std::size_t i = 0; i < rows.size(); ++i, y_ += line_height * s_) {
       write(i == 0 ? fmt::format("line {}", line.number) : fmt::format("line {} row {}", line.number, i + 1),
             rows[i], text_left_, {face, Align::left, line.change == Change::struck ? quiet : ink, ground});
@@ -350,11 +350,14 @@ class ListingLayout {
     }
   }
 
-  /// Its number in the listing, in which struck lines are not counted.
+  static bool is_counted(const SourceLine& line) {
+    return line.change != Change::struck && !is_heading(line.text);
+  }
+  /// Its number in the listing, in which neither struck lines nor headings are counted.
   int place_of(std::size_t index) const {
     return 1 + static_cast<int>(std::count_if(figure_.listing.begin(),
                                               figure_.listing.begin() + static_cast<std::ptrdiff_t>(index),
-                                              [](const auto& l) { return l.line.change != Change::struck; }));
+                                              [](const auto& l) { return is_counted(l.line); }));
   }
 
   struct Letters {

@@ -393,6 +393,7 @@ class Rewriter {
  public:
   /// Nothing: the line has no meaning of its own.
   std::optional<std::string> rewritten(const std::string& line) {
+    if (is_heading(line)) return line;
     const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
     const std::size_t comment = std::min(line.find("//"), line.size());
     const std::string remark = line.substr(comment);

@@ -89,6 +89,9 @@ struct SourceLine {
   Change change = Change::none;
 };
 
+/// Whether a line of a listing is the heading of one of its functions: "divide(point, view):".
+inline bool is_heading(std::string_view line) { return !line.starts_with(' ') && line.ends_with("):"); }
+
 /// A parameter's name with the value used, in the canonical spelling.
 struct Argument {
   std::string name, value;

@@ -12,8 +12,9 @@ namespace {
 
 bool is_whole(const TraceStep& step) { return step.number.fine == 0; }
 
-/// Neither braces and brackets alone nor a comment alone.
+/// Neither braces and brackets alone nor a comment alone nor a function's heading.
 bool is_code(std::string_view line) {
+  if (is_heading(line)) return false;
   const std::size_t first = line.find_first_not_of(" {}();,");
   return first != line.npos && !line.substr(first).starts_with("//");
 }

@@ -83,6 +83,46 @@ std::optional<std::pair<std::size_t, std::size_t>> body_in(const std::vector<std
   return std::nullopt;
 }
 
+// --- Its heading among others --------------------------------------------------------------------------
+
+/// What stands between the brackets of a declaration, parameter by parameter.
+std::vector<std::string> parameters_in(std::string_view declaration) {
+  std::vector<std::string> parameters(1);
+  int depth = 0;
+  for (const char c : declaration.substr(declaration.find('(') + 1)) {
+    if (c == ')' && depth == 0) break;
+    if (c == '(' || c == '<' || c == '{') ++depth;
+    if (c == ')' || c == '>' || c == '}') --depth;
+    if (c == ',' && depth == 0)
+      parameters.emplace_back();
+    else
+      parameters.back() += c;
+  }
+  return parameters;
+}
+
+/// The name that a parameter declares, without its type and its default.
+std::string name_of(std::string_view parameter) {
+  parameter = parameter.substr(0, parameter.find('='));
+  const auto is_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  while (!parameter.empty() && !is_of_name(parameter.back())) parameter.remove_suffix(1);
+  const auto begin = std::find_if_not(parameter.rbegin(), parameter.rend(), is_of_name);
+  return {begin.base(), parameter.end()};
+}
+
+/// "divide(point, view):", without observers.
+std::string heading_text(std::string_view function, std::string_view declaration) {
+  std::string heading(function);
+  const char* before = "(";
+  for (const std::string& parameter : parameters_in(declaration.substr(declaration.find(function)))) {
+    const std::string name = name_of(parameter);
+    if (name.empty() || name == "observer") continue;
+    heading += before + name;
+    before = ", ";
+  }
+  return heading + (*before == '(' ? "():" : "):");
+}
+
 // --- Which line a step marks ---------------------------------------------------------------------------
 
 std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
@@ -174,6 +214,18 @@ std::vector<SourceLine> listing_of(std::string_view source, std::string_view fun
 
 std::vector<SourceLine> struck_of(std::string_view source, std::string_view function) {
   return lines_in(source, function, true);
+}
+
+std::optional<SourceLine> heading_of(std::string_view source, std::string_view function) {
+  const std::vector<std::string_view> lines = lines_of(source);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto body = declares(lines[i], function) ? body_from(lines, i) : std::nullopt;
+    if (!body) continue;
+    std::string declaration;
+    for (std::size_t k = i; k < body->first; ++k) declaration += code_of(lines[k]);
+    return SourceLine{static_cast<int>(i) + 1, heading_text(function, declaration)};
+  }
+  return std::nullopt;
 }
 
 std::pair<int, int> body_of(std::string_view source, std::string_view function) {

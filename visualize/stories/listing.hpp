@@ -1,6 +1,7 @@
 #pragma once
 // Which lines of a method's source a figure lists, and which of them a step marks.
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,10 @@
 #include "figure/trace.hpp"
 
 namespace gradus {
+
+/// What stands above a function's body where a listing has several: "divide(point, view):", under the number of the
+/// line that declares it. Nothing where there is no such function.
+std::optional<SourceLine> heading_of(std::string_view source, std::string_view function);
 
 /// The source lines of a function's body, from the first to that of its closing brace; {0, 0} without one.
 std::pair<int, int> body_of(std::string_view source, std::string_view function);

@@ -252,8 +252,17 @@ void Narrator::list(std::string_view function, std::string_view file) {
 
 void Narrator::list_below(std::string_view function) {
   const std::string_view source = source_text(trace().source_file);
+  std::vector<SourceLine>& listing = trace().listing;
+  // Of several functions each has its heading, the first one from when there is a second
+  if (listed_.size() == 1) {
+    if (const auto heading = heading_of(source, first_listed_)) listing.insert(listing.begin(), *heading);
+  }
+  if (listed_.empty())
+    first_listed_ = function;
+  else if (const auto heading = heading_of(source, function))
+    listing.push_back(*heading);
   listed_.push_back(body_of(source, function));
-  std::ranges::move(listing_of(source, function), std::back_inserter(trace().listing));
+  std::ranges::move(listing_of(source, function), std::back_inserter(listing));
   std::ranges::move(struck_of(source, function), std::back_inserter(trace().struck));
 }
 

@@ -400,6 +400,7 @@ class Narrator {
   std::optional<StepNumber> telling_;
   double tells_most_ = 0;
   int line_ = 0;
+  std::string first_listed_;                 ///< the first function in the listing
   std::vector<std::pair<int, int>> listed_;  ///< the source lines of the functions in the listing
   std::function<void(Trace&)> afterwards_;
 };

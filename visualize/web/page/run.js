@@ -4,7 +4,9 @@
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
 /** A line of braces or of a comment alone is no line of code. */
-const isCode = (line) => /^[ {}();,]*(?!\/\/)[^ {}();,]/.test(line);
+/** Of several functions in a listing each has one: "divide(point, view):". */
+const isHeading = (line) => /^\S.*\):$/.test(line);
+const isCode = (line) => !isHeading(line) && /^[ {}();,]*(?!\/\/)[^ {}();,]/.test(line);
 
 /** The first index in a sorted list whose value is above `wanted`. */
 function upperBound(list, wanted, valueOf = (v) => v) {
@@ -155,7 +157,7 @@ function loopHeads(lines) {
     if (isLoop(line)) return position;
     // A brace that closes a loop belongs to it
     let indent = indentOf(line) + (line.trimStart().startsWith('}') ? 1 : 0);
-    for (let i = position - 1; i >= 0; --i) {
+    for (let i = position - 1; i >= 0 && !isHeading(lines[i]); --i) {
       if (indentOf(lines[i]) >= indent || /^ *($|\/\/)/.test(lines[i])) continue;
       indent = indentOf(lines[i]);
       if (isLoop(lines[i])) return i;
@@ -299,10 +301,11 @@ class Run {
         [...new Set(this.steps.map((step) => this.shownLine(step.line)))].filter((line) => line >= 0);
   }
   isStruck(position) { return this.trace.listing[position][2] === '-'; }
-  /** What stands before a line: its number among those that run, none where it is struck out. */
+  isCounted(position) { return !this.isStruck(position) && !isHeading(this.trace.listing[position][1]); }
+  /** What stands before a line: its number among those that run; none where it is struck out or a heading. */
   labelOf(position) {
-    const ran = this.trace.listing.slice(0, position).filter(([, , sign]) => sign !== '-').length;
-    return this.isStruck(position) ? '' : String(ran + 1);
+    if (!this.isCounted(position)) return '';
+    return String(1 + this.trace.listing.slice(0, position).filter((_, line) => this.isCounted(line)).length);
   }
   shows(slot) { return this.trace.slots?.includes(slot) ?? true; }
   /** Position in the listing of the nearest line of code at or above a source line; -1: none. */

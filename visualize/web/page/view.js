@@ -101,6 +101,8 @@ class PlayerView {
     this.parts.listing.style.setProperty('--digits', digits);
     this.parts.listing.classList.toggle('changes', changes);
     this.parts.lines.replaceChildren(...trace.listing.map(([, text, sign], position) => {
+      if (isHeading(text))
+        return html('li', {'data-position': position, 'data-heading': true}, html('span', {}), html('code', {}, text));
       const label = this.run.labelOf(position);
       const number = html(
           'button',
