@@ -2,6 +2,7 @@
 
 import functools
 import http.server
+import itertools
 import pathlib
 import re
 import shlex
@@ -15,6 +16,7 @@ import zlib
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
 import project
 from axe_test import READ
+from share import in_share, share_of
 from webdriver import EVERYTHING, Browser
 
 A_TOPIC = 59_000  # bytes of the page, packed, that each topic may take, with its share of what all use
@@ -163,7 +165,7 @@ def drawn_in(figure):
 def every_topic(check, page):
     """All of them open, have their fields, and something to drag, to paint or to type; each drag leads to another run."""
     page.open()
-    for topic in page.run('return workbench.topics.map(({name}) => name)'):
+    for topic in share_of(page.run('return workbench.topics.map(({name}) => name)'), 3):
         page.choose(topic=topic)
         check.equal(f'{topic}: nothing is refused', page.refusal(), '')
         fields, questions = page.run('return [workbench.form.fields.size, questionsOf(player.run).size]')
@@ -279,10 +281,13 @@ def speed(check, page):
 
 
 def accessible(check, page, axe):
+    turn = itertools.count()
     for size in ((1280, 720), (360, 740)):
         page.size(*size)
         for fragment in ('#topic=bresenham_line', '#topic=flood_fill&theme=dark', '#topic=perspective', '#topic=bresenham_line&beside=dda',
                          '#topic=bresenham_line&predict', '#topic=bresenham_line&in.from=here'):
+            if not in_share(next(turn), 3):
+                continue
             page.open(fragment)
             if 'predict' in fragment:
                 page.run('player.next()')

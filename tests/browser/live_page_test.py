@@ -410,6 +410,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--axe', type=pathlib.Path, default=os.environ.get('GRADUS_AXE'))
     parser.add_argument('--only', nargs='*', default=[])
+    parser.add_argument('--parts', choices=['every_browser', 'chromium_alone'], help='default: both')
     parser.add_argument('--browsers', nargs='*', default=['chromium', 'firefox'])
     parser.add_argument('pages')
     options = parser.parse_args()
@@ -431,9 +432,10 @@ def main():
         if 'chromium' in options.browsers:
             with Browser() as browser:
                 print('Chromium', flush=True)
-                in_browser(check, browser, url, folder, only)
+                if options.parts != 'chromium_alone':
+                    in_browser(check, browser, url, folder, only)
                 page = Page(browser, url, check)
-                for part, run in (('addresses', lambda: reads_any_address(check, page)), ('parts', lambda: shows_long_runs_in_parts(check, page)),
+                for part, run in () if options.parts == 'every_browser' else (('addresses', lambda: reads_any_address(check, page)), ('parts', lambda: shows_long_runs_in_parts(check, page)),
                                   ('topics', lambda: every_topic(check, page)), ('command', lambda: copies_the_command(check, page, folder)),
                                   ('axe', lambda: accessible(check, page, options.axe.read_text(encoding='utf-8'))),
                                   ('server', lambda: from_a_server(check, browser, folder)), ('speed', lambda: speed(check, page))):
@@ -441,9 +443,9 @@ def main():
                         start = time.monotonic()
                         run()
                         print(f'  {part}: {time.monotonic() - start:.1f} s', flush=True)
-            if not only or 'without' in only:
+            if (not only and options.parts != 'every_browser') or 'without' in only:
                 without_webassembly(check, url)
-        if 'firefox' in options.browsers:
+        if 'firefox' in options.browsers and options.parts != 'chromium_alone':
             with Firefox() as browser:
                 print('Firefox', flush=True)
                 in_browser(check, browser, url, folder, only)

@@ -22,6 +22,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
 import project
+from share import share_of
 from webdriver import Browser
 
 HOST = project.ROOT / 'visualize/web/workbench/host.js'
@@ -250,7 +251,7 @@ def main():
             test.is_the_players(topic, pathlib.Path(folder))
         others = [json.dumps({'want': want, **request}) for request in OF_FILES + REFUSED for want in ('run', 'trace')]
         print(f'{len(others)} requests of files and mistakes, {test.same(others)} refused')
-        for topic in topics:
+        for topic in share_of(topics, 3):
             start = time.perf_counter()
             drawn = subprocess.run([options.answers, '--draw', str(options.count), seed, topic], stdout=subprocess.PIPE,
                                    encoding='utf-8', check=True).stdout.splitlines()

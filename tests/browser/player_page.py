@@ -202,4 +202,4 @@ def one_a_topic(pages):
             players.setdefault(topic[1], page)
         else:
             (about if 'topics' in page.parts else others).append(page)
-    return others + share_of(about, 3) + share_of(players.values(), 3)
+    return others + share_of(about, 6) + share_of(players.values(), 6)

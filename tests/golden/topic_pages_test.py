@@ -16,6 +16,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import project
+from share import in_share
 
 HEADINGS = ["Symbols", "By hand", "Derivation", "Edge cases", "Common mistakes", "Accuracy and cost", "Methods compared",
             "Charts", "Try it", "Check yourself", "Sources"]
@@ -186,6 +187,8 @@ class Pages(unittest.TestCase):
     @with_page
     def test_every_command_runs(self, topic, text):
         self.assertGreater(len(commands(text)), 2)
+        if not in_share([t.name for t in project.topics()].index(topic.name), 3):
+            return
         for command in commands(text):
             with self.subTest(command), tempfile.TemporaryDirectory() as folder:
                 (pathlib.Path(folder) / "examples").symlink_to(project.ROOT / "examples")

@@ -225,7 +225,7 @@ TEST(Gallery, EveryStepIsApartAndWholeAtEverySize) {
       for (const StepNumber step : steps_of(trace, test::thinned(300, 30))) {
         const Figure shown = figure_of(trace, playhead, step);
         for (std::size_t i = 0; i < sizes; ++i) {
-          if (!test::in_share(seen++, 3)) continue;
+          if (!test::in_share(seen++, 4)) continue;
           SCOPED_TRACE(fmt::format("{} step {} {} {}x{}", figure.name, text_of(step), language.code(),
                                    looks[i].width, looks[i].height));
           all_is_apart_and_whole(lay_out(shown, looks[i]));
@@ -234,7 +234,7 @@ TEST(Gallery, EveryStepIsApartAndWholeAtEverySize) {
       }
     }
   }
-  EXPECT_GT(sheets, test::share_of(test::thinned(5000, 40), 3));
+  EXPECT_GT(sheets, test::share_of(test::thinned(5000, 40), 4));
 }
 
 // --- Numbers, legends ------------------------------------------------------------------------------------

@@ -109,7 +109,7 @@ void listing_and_table_have_their_least(const Trace& trace, const Sheet& sheet, 
 
 /// One in so many looks a run: prime to the numbers of choices, layouts and crops, or a run would see one
 /// kind alone.
-constexpr std::size_t looks_shares = 5;
+constexpr std::size_t looks_shares = 7;
 
 TEST(Layout, EverySlideIsLegibleApartAndWhole) {
   // One walk for all laws, since laying out is what takes the time: some steps of every telling trace

@@ -15,6 +15,7 @@
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
+#include "support/share.hpp"
 #include "support/sheets.hpp"
 #include "text/text_output.hpp"
 
@@ -158,8 +159,9 @@ void for_each_sheet(const std::vector<Trace>& traces, See see) {
 
 TEST(Labels, StandForTheSymbolEverywhereButInTheListing) {
   const std::vector<Trace>& plain = test::shared_traces();
+  std::size_t next = 0;
   for (const std::string_view code : {"en", "de"}) {
-    if (test::sanitized && code == "en") continue;
+    if (test::sanitized ? code == "en" : !test::in_share(next++, 2)) continue;
     const std::vector<Trace> traces = test::telling_traces(labelled({{"p", "d"}, {"NE", "T"}}, code));
     const Names old{"p", "NE"}, fresh{"d", "T"};
     std::size_t labels = 0;
