@@ -15,7 +15,7 @@ bool is_one_of(const Lexeme& token, std::initializer_list<std::string_view> text
 }
 bool is_keyword(const Lexeme& token) {
   return is_one_of(token, {"return", "else", "if", "for", "while", "do", "then", "in", "each", "break",
-                           "continue", "repeat", "until", "case", "not", "and", "or", "throw"});
+                           "continue", "repeat", "until", "case", "not", "and", "or", "throw", "function"});
 }
 
 // --- From and to text ----------------------------------------------------------------------------

@@ -6,136 +6,15 @@
 #include <initializer_list>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "figure/lexemes.hpp"
+#include "figure/plain_code.hpp"
 
 namespace gradus {
 namespace {
 
 using namespace lexemes;
-
-// --- C++ that a textbook does without -------------------------------------------------------------
-
-/// "<…>" right behind a name: signs of comparison stand apart.
-void drop_template_arguments(Lexemes& tokens) {
-  for (At i = 1; i < std::ssize(tokens); ++i) {
-    const auto& token = tokens[i];
-    if (!token.is("<") || token.apart || !is_name(tokens[i - 1])) continue;
-    int depth = 0;
-    for (At end = i; end < std::ssize(tokens); ++end) {
-      const auto& other = tokens[end];
-      depth += other.is("<") ? 1 : other.is(">") ? -1 : 0;
-      if (depth != 0) continue;
-      erase(tokens, i, end + 1);
-      --i;
-      break;
-    }
-  }
-}
-
-void drop_qualifiers(Lexemes& tokens) {
-  for (At i = 0; i < std::ssize(tokens); ++i) {
-    if (!tokens[i].is("::")) continue;
-    const bool qualified = i > 0 && is_name(tokens[i - 1]);
-    erase(tokens, qualified ? i - 1 : i, i + 1);
-    i -= qualified ? 2 : 1;
-  }
-}
-
-/// T(0), std::move(x), static_cast<int>(x): the value alone.
-void drop_conversions(Lexemes& tokens) {
-  for (At i = 0; i + 1 < std::ssize(tokens); ++i) {
-    const bool converts =
-        is_one_of(tokens[i], {"T", "move", "forward", "static_cast", "double", "float", "int"});
-    if (!converts || !tokens[i + 1].is("(")) continue;
-    const At end = closing(tokens, i + 1);
-    if (end < 0) continue;
-    if (end == i + 3) erase(tokens, end, end + 1);
-    erase(tokens, i, end == i + 3 ? i + 2 : i + 1);
-  }
-}
-
-bool begins_expression(const Lexemes& tokens, At i) {
-  if (i == 0) return true;
-  const Lexeme& before = tokens[i - 1];
-  return is_one_of(before, {"(", "[", "{",  ",",  ";", "=", "?",  ":",  "&&", "||", "+", "-",
-                            "*", "/", "==", "!=", "<", ">", "<=", ">=", "!",  "->", "→"}) ||
-         is_keyword(before);
-}
-
-/// [&](auto x) { return x < 0; }: (x) → x < 0.
-void drop_captures(Lexemes& tokens) {
-  for (At i = 0; i < std::ssize(tokens); ++i) {
-    if (!tokens[i].is("[") || !begins_expression(tokens, i)) continue;
-    const At end = closing(tokens, i);
-    if (end < 0 || end + 1 >= std::ssize(tokens) || !tokens[end + 1].is("(")) continue;
-    erase(tokens, i, end + 1);
-    const At parameters = closing(tokens, i);
-    if (parameters < 0) continue;
-    At body = parameters + 1;
-    while (body < std::ssize(tokens) && !tokens[body].is("{")) ++body;
-    erase(tokens, parameters + 1, body);
-    insert(tokens, parameters + 1, {"→"});
-    const At close = closing(tokens, parameters + 2);
-    if (close < 0) continue;
-    if (tokens[close - 1].is(";")) erase(tokens, close - 1, close);
-    erase(tokens, closing(tokens, parameters + 2), closing(tokens, parameters + 2) + 1);
-    erase(tokens, parameters + 2, parameters + 3);
-    if (parameters + 2 < std::ssize(tokens) && tokens[parameters + 2].is("return"))
-      erase(tokens, parameters + 2, parameters + 3);
-  }
-}
-
-/// Types before the names that they declare. A value in brackets becomes an assignment.
-void drop_types(Lexemes& tokens) {
-  for (At i = 0; i < std::ssize(tokens); ++i) {
-    if (is_one_of(tokens[i], {"const", "constexpr", "static", "mutable"})) {
-      erase(tokens, i, i + 1);
-      --i;
-    }
-  }
-  for (At i = 0; i + 1 < std::ssize(tokens); ++i) {
-    const Lexeme type = tokens[i];
-    if (!is_name(type) || is_keyword(type)) continue;
-    At name = i + 1;
-    while (name < std::ssize(tokens) && is_one_of(tokens[name], {"&", "*", "&&"}) && !tokens[name].apart)
-      ++name;
-    if (name >= std::ssize(tokens) || !tokens[name].apart) continue;
-    if (type.is("auto") && tokens[name].is("[")) {
-      const At end = closing(tokens, name);
-      tokens[name].text = "(";
-      if (end >= 0) tokens[end].text = ")";
-      erase(tokens, i, name);
-      continue;
-    }
-    if (!is_name(tokens[name]) || is_keyword(tokens[name])) continue;
-    erase(tokens, i, name);
-    if (i > 0 || i + 1 >= std::ssize(tokens)) continue;
-    Lexeme& next = tokens[i + 1];
-    if (next.is("[") && tokens[i + 2].is("]")) erase(tokens, i + 1, i + 3);
-    if (next.is("{")) {
-      insert(tokens, i + 1, {"="});
-      tokens[i + 2].apart = true;
-    } else if (next.is("(") || next.is(";")) {
-      const bool empty = next.is(";");
-      if (!empty || type.is("optional")) {
-        insert(tokens, i + 1, {"=", empty ? "nothing" : type.text});
-      } else {
-        insert(tokens, i + 1, {"=", "empty", type.is("vector") ? "list" : type.text});
-      }
-    }
-  }
-}
-
-void drop_pointers(Lexemes& tokens) {
-  for (At i = 0; i + 1 < std::ssize(tokens); ++i) {
-    Lexeme& token = tokens[i];
-    if (token.is("->")) token.text = ".";
-    const bool sign = token.is("*") || token.is("&");
-    if (!sign || tokens[i + 1].apart || !begins_expression(tokens, i)) continue;
-    erase(tokens, i, i + 1);
-  }
-}
 
 // --- Assignments ---------------------------------------------------------------------------------
 
@@ -222,6 +101,18 @@ void spell_out_compound(Lexemes& tokens) {
   }
 }
 
+/// *next++ = x: *next = x; next = next + 1.
+void count_after_assignment(Lexemes& tokens) {
+  const At end = place_after(tokens, 0);
+  if (end + 1 >= std::ssize(tokens) || !is_one_of(tokens[end], {"++", "--"}) || !tokens[end + 1].is("="))
+    return;
+  Lexemes counting = between(tokens, 0, end + 1);
+  counting.front().apart = true;
+  erase(tokens, end, end + 1);
+  if (!tokens.back().is(";")) tokens.push_back({";"});
+  tokens.insert(tokens.end(), counting.begin(), counting.end());
+}
+
 /// ++x: x = x + 1; inside of something else in brackets.
 void spell_out_counting(Lexemes& tokens) {
   for (At i = 0; i < std::ssize(tokens); ++i) {
@@ -270,15 +161,20 @@ std::vector<Lexemes> split(const Lexemes& tokens, std::string_view sign) {
   return parts;
 }
 
+std::optional<int> number_in(const std::string& text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
 /// "i < n" as the last value of a count: n - 1.
 std::optional<std::string> last_value(const Lexemes& condition, const std::string& counter) {
   if (condition.size() < 3 || !condition[0].is(counter) || !is_one_of(condition[1], {"<", "<="}))
     return std::nullopt;
   const std::string bound = text_of(between(condition, 2, std::ssize(condition)));
   if (condition[1].is("<=")) return bound;
-  int number = 0;
-  const auto [end, error] = std::from_chars(bound.data(), bound.data() + bound.size(), number);
-  if (error == std::errc{} && end == bound.data() + bound.size()) return std::to_string(number - 1);
+  if (const auto number = number_in(bound)) return std::to_string(*number - 1);
   return bound + " - 1";
 }
 
@@ -294,6 +190,8 @@ std::string loop_text(const Lexemes& head) {
     const std::string first = "for " + counter + " = " + from;
     const bool counts_up = text_of(step) == "++" + counter || text_of(step) == counter + "++";
     if (const auto last = last_value(condition, counter); last && counts_up) return first + " to " + *last;
+    if (const auto number = number_in(from); number && counts_up)
+      return first + ", " + std::to_string(*number + 1) + ", … while " + text_of(condition);
     if (step.empty() && text_of(condition) == counter + "-- > 0") return first + " - 1 down to 0";
   }
   std::string text = start.empty() ? "" : text_of(start) + ", ";
@@ -398,24 +296,31 @@ class Rewriter {
     const std::size_t comment = std::min(line.find("//"), line.size());
     const std::string remark = line.substr(comment);
     if (comment <= indent) return line;
-    std::string code = statement(std::string_view(line).substr(indent, comment - indent));
-    if (code.empty() && !remark.empty()) return std::string(indent, ' ') + remark;
-    if (code.empty()) return std::nullopt;
-    return std::string(indent, ' ') + code + (remark.empty() ? "" : "  " + remark);
+    const std::string_view statement = std::string_view(line).substr(indent, comment - indent);
+    const std::string code = rewritten_code(statement);
+    // A comment that stands inside a statement comes behind it
+    remark_ += remark.empty() || remark_.empty() ? remark : remark.substr(2);
+    if (!code.empty() && is_unfinished(statement)) return std::string(indent, ' ') + code;
+    const std::string said = std::exchange(remark_, "");
+    if (code.empty() && said.empty()) return std::nullopt;
+    return std::string(indent, ' ') + code + (code.empty() || said.empty() ? "" : "  ") + said;
   }
 
  private:
-  std::string statement(std::string_view code) {
+  /// Its value or its list goes on below.
+  static bool is_unfinished(std::string_view statement) {
+    const std::size_t last = statement.find_last_not_of(' ');
+    return last != std::string_view::npos &&
+           std::string_view("=(,+-*/?:&|").find(statement[last]) != std::string_view::npos;
+  }
+
+  std::string rewritten_code(std::string_view code) {
     Lexemes tokens = lexemes_of(code);
     if (tokens.front().is("using")) return "";
-    drop_template_arguments(tokens);
-    drop_qualifiers(tokens);
-    drop_conversions(tokens);
-    drop_captures(tokens);
-    drop_types(tokens);
-    drop_pointers(tokens);
+    drop_cpp(tokens);
     write_control(tokens);
     spell_out_compound(tokens);
+    count_after_assignment(tokens);
     spell_out_counting(tokens);
     write_choices(tokens);
     drop_braces(tokens);
@@ -430,39 +335,30 @@ class Rewriter {
     return text_of(tokens);
   }
 
+  /// Of statements; a value's that end on another line become brackets.
   void drop_braces(Lexemes& tokens) {
     for (At i = 0; i < std::ssize(tokens); ++i) {
-      Lexeme& token = tokens[i];
-      if (token.is("{")) {
-        const bool block =
-            i > 0 && is_one_of(tokens[i - 1], {")", "do", "then", "else", "repeat", "of", "→"});
-        const bool empty = i + 1 < std::ssize(tokens) && tokens[i + 1].is("}");
-        if (empty && !block) {
-          token.text = "nothing";
-          token.apart = true;
-          tokens.erase(tokens.begin() + i + 1);
-          continue;
-        }
-        blocks_.push_back(block);
-        if (!block) {
-          token.text = "(";
-          continue;
-        }
+      if (tokens[i].is("{") && !opens_block(tokens, i)) {
+        const bool typed = i > 0 && !tokens[i].apart && is_name(tokens[i - 1]);
+        tokens[i].text = typed ? "(" : "[";
+        closers_.push_back(typed ? ")" : "]");
+      } else if (tokens[i].is("{")) {
+        closers_.push_back("");
         tokens.erase(tokens.begin() + i--);
-      } else if (token.is("}")) {
-        const bool block = blocks_.empty() || blocks_.back();
-        if (!blocks_.empty()) blocks_.pop_back();
-        if (!block) {
-          token.text = ")";
-          continue;
+      } else if (tokens[i].is("}")) {
+        const std::string_view closer = closers_.empty() ? "" : closers_.back();
+        if (!closers_.empty()) closers_.pop_back();
+        tokens[i].text = closer;
+        if (closer.empty()) {
+          erase(tokens, i, i + 1);
+          --i;
         }
-        erase(tokens, i, i + 1);
-        --i;
       }
     }
   }
 
-  std::vector<bool> blocks_;
+  std::vector<std::string_view> closers_;  ///< for the braces that are open: nothing for statements
+  std::string remark_;                     ///< of a statement that goes on
 };
 
 }  // namespace
