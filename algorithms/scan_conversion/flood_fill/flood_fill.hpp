@@ -87,6 +87,8 @@ struct Span {
   int row, left, right;
   int way;  ///< +1: towards the row below, -1: towards the row above
 
+  /// The row beside it, which is looked along.
+  constexpr int beyond() const { return row + way; }
   constexpr Whole length() const { return Whole{right} - left + 1; }
   /// The same, looking the other way.
   constexpr Span turned() const { return {row, left, right, -way}; }
@@ -225,22 +227,22 @@ Filled depth_first(ivec2 seed, Inside&& inside, Paint&& paint, Connectivity conn
     if constexpr (observed<O>) observer(Painted{seed, seed, path.size()});
   }
   while (!path.empty()) {
-    auto [pixel, asked] = path.top();
+    auto [p, asked] = path.top();
     // All neighbours asked: go back
     if (asked == moves.size()) {
       path.pop();
-      if constexpr (observed<O>) observer(Retreated{pixel, path.size()});
+      if constexpr (observed<O>) observer(Retreated{p, path.size()});
       continue;
     }
-    // The next one: if free, go there
-    ivec2 next = pixel + moves[asked];
+    // Go to the next one if free
+    ivec2 next = p + moves[asked];
     ++path.top().asked;
     free = inside(next);
-    if constexpr (observed<O>) observer(Examined{pixel, next, free});
+    if constexpr (observed<O>) observer(Examined{p, next, free});
     if (!free) continue;
     paint(next);
     path.push({next});
-    if constexpr (observed<O>) observer(Painted{pixel, next, path.size()});
+    if constexpr (observed<O>) observer(Painted{p, next, path.size()});
   }
   if constexpr (observed<O>) observer(Finished{tally(path)});
   return tally(path);
@@ -269,12 +271,12 @@ Filled breadth_first(ivec2 seed, Inside&& inside, Paint&& paint,
     if constexpr (observed<O>) observer(Painted{seed, seed, waiting.size()});
   }
   while (!waiting.empty()) {
-    // The one that has waited longest
+    // The one that waited longest
     ivec2 pixel = waiting.take();
     if constexpr (observed<O>) observer(Dequeued{pixel, waiting.size()});
     // Its free neighbours wait, too
     for (ivec2 move : moves) {
-      const ivec2 next = pixel + move;
+      ivec2 next = pixel + move;
       free = inside(next);
       if constexpr (observed<O>) observer(Examined{pixel, next, free});
       if (!free) continue;
@@ -331,50 +333,54 @@ template <class Inside, class Paint,
           Observer<Started, Examined, SpanFilled, SpanQueued, SpanTaken, Finished> O = Unobserved>
 Filled span(ivec2 seed, Inside&& inside, Paint&& paint, Connectivity connectivity = Connectivity::four,
             O&& observer = {}) {
-  int reach = corners(connectivity);
-  Stack<Span> waiting;
-  Whole painted = 0;
+  int c = corners(connectivity);
+  Stack<Span> stack;
+  Whole count = 0;
   bool free = inside(seed);
   if constexpr (observed<O>) observer(Started{seed, connectivity, free});
   if (free) {
-    Span run = grow(seed, 1, inside);
-    painted += fill_run(run, paint);
-    if constexpr (observed<O>) observer(SpanFilled{run, seed});
-    waiting.push(run.turned());
-    if constexpr (observed<O>) observer(SpanQueued{run.turned(), waiting.size()});
-    waiting.push(run);
-    if constexpr (observed<O>) observer(SpanQueued{run, waiting.size()});
+    Span s = grow(seed, 1, inside);
+    count += fill_run(s, paint);
+    if constexpr (observed<O>) observer(SpanFilled{s, seed});
+    stack.push(s.turned());
+    if constexpr (observed<O>) observer(SpanQueued{s.turned(), stack.size()});
+    stack.push(s);
+    if constexpr (observed<O>) observer(SpanQueued{s, stack.size()});
   }
-  while (!waiting.empty()) {
+  while (!stack.empty()) {
     // Look along the row beside it
-    const Span s = waiting.take();
-    if constexpr (observed<O>) observer(SpanTaken{s, waiting.size()});
-    Span row = s.widened(reach);
-    Span stop = s.widened(1 - reach);
-    ivec2 p{row.left, s.row + s.way};
-    for (; p.x <= row.right; ++p.x) {
+    const Span s = stack.take();
+    if constexpr (observed<O>) observer(SpanTaken{s, stack.size()});
+    Span row = s.widened(c);
+    Span stop = s.widened(1 - c);
+    ivec2 p{row.left, s.beyond()};
+    while (p.x <= row.right) {
       free = inside(p);
       if constexpr (observed<O>) observer(Examined{ivec2{std::clamp(p.x, s.left, s.right), s.row}, p, free});
-      if (!free) continue;
+      if (!free) {
+        ++p.x;
+        continue;
+      }
       Span run = grow(p, s, inside);
-      painted += fill_run(run, paint);
+      count += fill_run(run, paint);
       if constexpr (observed<O>) observer(SpanFilled{run, p});
       // Go on, and back where wider
-      waiting.push(run);
-      if constexpr (observed<O>) observer(SpanQueued{run, waiting.size()});
+      stack.push(run);
+      if constexpr (observed<O>) observer(SpanQueued{run, stack.size()});
       if (run.left < stop.left) {
-        waiting.push(run.left_of(s));
-        if constexpr (observed<O>) observer(SpanQueued{run.left_of(s), waiting.size()});
+        stack.push(run.left_of(s));
+        if constexpr (observed<O>) observer(SpanQueued{run.left_of(s), stack.size()});
       }
       if (run.right > stop.right) {
-        waiting.push(run.right_of(s));
-        if constexpr (observed<O>) observer(SpanQueued{run.right_of(s), waiting.size()});
+        stack.push(run.right_of(s));
+        if constexpr (observed<O>) observer(SpanQueued{run.right_of(s), stack.size()});
       }
-      p.x = run.right + 1;
+      // Past what stops it
+      p.x = run.right + 2;
     }
   }
-  if constexpr (observed<O>) observer(Finished{tally(waiting, painted)});
-  return tally(waiting, painted);
+  if constexpr (observed<O>) observer(Finished{tally(stack, count)});
+  return tally(stack, count);
 }
 
 // --- All of them -------------------------------------------------
