@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <ranges>
 
 #include "core/arithmetic/rounding.hpp"
 #include "core/contract.hpp"
@@ -116,6 +117,11 @@ constexpr Weights weights_at_place(const Edges& edges, ivec2 place) {
   return {edges[0].at(place), edges[1].at(place), edges[2].at(place)};
 }
 
+/// The edge functions at the centre of a pixel. Accuracy: exact.
+constexpr Weights weights_at(const Edges& edges, ivec2 pixel) {
+  return weights_at_place(edges, centre_of(pixel));
+}
+
 /// The triangle has its edges; the pixels in the box are tested next.
 struct Prepared {
   Triangle triangle;
@@ -157,10 +163,35 @@ constexpr bool holds(const Edges& edges, const Weights& e) {
   return belongs(edges[0], e[0]) && belongs(edges[1], e[1]) && belongs(edges[2], e[2]);
 }
 
+/// The rows (columns) of a window, downwards (to the right).
+constexpr auto rows(const Window& window) {
+  return std::views::iota(window.lower.y, std::max(window.lower.y, window.upper.y + 1));
+}
+constexpr auto columns(const Window& window) {
+  return std::views::iota(window.lower.x, std::max(window.lower.x, window.upper.x + 1));
+}
+
+/// What a finished box held: counted again for an observer, covers(pixel) says what was covered.
+template <class Covers>
+constexpr Finished counted(const Window& box, Covers&& covers) {
+  Finished count{0, 0};
+  for (const int y : rows(box)) {
+    for (const int x : columns(box)) {
+      count.tested += 1;
+      count.covered += covers(ivec2{x, y});
+    }
+  }
+  return count;
+}
+
+constexpr Finished counted(const Edges& edges, const Window& box) {
+  return counted(box, [&](ivec2 p) { return holds(edges, weights_at(edges, p)); });
+}
+
 /// Tells which pixels of a window a triangle covers, by the signs of three edge functions and the top-left
 /// rule. J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988, 17-20.
 ///
-/// triangle: snapped corners, in either direction. window: the pixels that are asked for. plot(ivec2,
+/// t: snapped corners, in either direction. window: the pixels that are asked for. plot(ivec2,
 ///   Weights) is called for each covered pixel, row by row.
 ///
 /// Domain: corners at most `farthest` pixels from 0, and so is the window. A triangle without area covers
@@ -170,35 +201,31 @@ constexpr bool holds(const Edges& edges, const Weights& e) {
 /// Cost: the pixels of the box within the window, three additions each.
 /// Errors: ContractViolation for corners or windows that lie too far out.
 template <std::invocable<ivec2, const Weights&> Plot, Observer<Prepared, Tested, Finished> O = Unobserved>
-constexpr void cover(const Triangle& triangle, const Window& window, Plot&& plot, O&& observer = {}) {
-  expects(near_enough(triangle), "a corner of the triangle lies more than {} pixels out", farthest);
+constexpr void cover(const Triangle& t, const Window& window, Plot&& plot, O&& observer = {}) {
+  expects(near_enough(t), "a corner of the triangle lies more than {} pixels out", farthest);
   expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
-  const auto area = doubled_area(triangle);
+  const auto area = doubled_area(t);
   if (area == 0) return;
-  const auto box = centres(triangle, window);
-  const auto edges = edges_of(triangle);
-  if constexpr (observed<O>) observer(Prepared{triangle, area, edges, box});
+  auto box = centres(t, window);
+  auto edges = edges_of(t);
+  if constexpr (observed<O>) observer(Prepared{t, area, edges, box});
   const auto& [ea, eb, ec] = edges;
-  const auto [lower, upper] = box;
-  std::int64_t tested = 0, covered = 0;
-  for (int y = lower.y; y <= upper.y; ++y) {
-    // The edge functions where the row begins
-    const ivec2 p = centre_of({lower.x, y});
-    Weights e{ea.at(p), eb.at(p), ec.at(p)};
-    for (int x = lower.x; x <= upper.x; ++x) {
+  for (int y : rows(box)) {
+    // Where the row begins
+    const ivec2 p{box.lower.x, y};
+    auto e = weights_at(edges, p);
+    for (int x : columns(box)) {
       // On the inside of all three?
-      const bool in = holds(edges, e);
+      bool in = holds(edges, e);
       if constexpr (observed<O>) observer(Tested{{x, y}, e, in});
       if (in) plot(ivec2{x, y}, e);
-      tested += 1;
-      covered += in;
       // One pixel to the right
       e[0] += ea.step();
       e[1] += eb.step();
       e[2] += ec.step();
     }
   }
-  if constexpr (observed<O>) observer(Finished{tested, covered});
+  if constexpr (observed<O>) observer(counted(edges, box));
 }
 
 /// The shares of the three corners at a pixel's centre, which add up to 1: what is linear in the picture is

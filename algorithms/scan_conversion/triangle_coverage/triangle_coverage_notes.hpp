@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <iterator>
 #include <vector>
 
 #include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
@@ -13,6 +12,11 @@ namespace gradus::triangle_coverage {
 
 /// Whether no edge function is negative.
 constexpr bool none_negative(const Weights& e) { return e[0] >= 0 && e[1] >= 0 && e[2] >= 0; }
+
+/// What a finished box held by that rule.
+constexpr Finished counted_closed(const Edges& edges, const Window& box) {
+  return counted(box, [&](ivec2 p) { return none_negative(weights_at(edges, p)); });
+}
 
 /// The pixels of a window, row by row.
 constexpr std::vector<ivec2> pixels_of(const Window& window) {
@@ -23,17 +27,11 @@ constexpr std::vector<ivec2> pixels_of(const Window& window) {
   return pixels;
 }
 
-/// The edge functions at the centre of a pixel, exactly.
-constexpr Weights weights_at(const Edges& edges, ivec2 pixel) {
-  const ivec2 p = centre_of(pixel);
-  return {edges[0].at(p), edges[1].at(p), edges[2].at(p)};
-}
-
 /// FAULTY: an edge belongs to both of its sides (errata E001-42), so that a centre on an edge that two
 /// triangles share is covered by both: of a square of 8 x 8 pixels, cut along its diagonal, each half covers
 /// 36, and 8 pixels are drawn twice. A depth buffer hides that, blending does not.
 ///
-/// triangle, window, plot: as for cover.
+/// t, window, plot: as for cover.
 ///
 /// Domain: as cover.
 /// Steps: Prepared Tested* Finished, as cover.
@@ -41,26 +39,22 @@ constexpr Weights weights_at(const Edges& edges, ivec2 pixel) {
 /// Cost: as cover, and a list of the pixels.
 /// Errors: ContractViolation for corners or windows that lie too far out.
 template <std::invocable<ivec2, const Weights&> Plot, Observer<Prepared, Tested, Finished> O = Unobserved>
-constexpr void closed_half_planes(const Triangle& triangle, const Window& window, Plot&& plot,
-                                  O&& observer = {}) {
-  expects(near_enough(triangle), "a corner of the triangle lies more than {} pixels out", farthest);
+constexpr void closed_half_planes(const Triangle& t, const Window& window, Plot&& plot, O&& observer = {}) {
+  expects(near_enough(t), "a corner of the triangle lies more than {} pixels out", farthest);
   expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
-  const auto area = doubled_area(triangle);
+  const auto area = doubled_area(t);
   if (area == 0) return;
-  const auto box = centres(triangle, window);
-  const auto edges = edges_of(triangle);
-  if constexpr (observed<O>) observer(Prepared{triangle, area, edges, box});
-  const auto pixels = pixels_of(box);
-  std::int64_t covered = 0;
-  for (const ivec2 p : pixels) {
-    const auto e = weights_at(edges, p);
+  auto box = centres(t, window);
+  auto edges = edges_of(t);
+  if constexpr (observed<O>) observer(Prepared{t, area, edges, box});
+  for (ivec2 p : pixels_of(box)) {
+    auto e = weights_at(edges, p);
     // Also where one is 0
-    const bool in = none_negative(e);
+    bool in = none_negative(e);
     if constexpr (observed<O>) observer(Tested{p, e, in});
     if (in) plot(p, e);
-    covered += in;
   }
-  if constexpr (observed<O>) observer(Finished{std::ssize(pixels), covered});
+  if constexpr (observed<O>) observer(counted_closed(edges, box));
 }
 
 /// An edge function with its brackets multiplied out: a x + b y + c.
@@ -105,12 +99,17 @@ class FarEdges {
   std::array<ExpandedEdge, 3> edges_;
 };
 
+/// What a finished box held by these.
+constexpr Finished counted_far(const Edges& edges, const FarEdges& far, const Window& box) {
+  return counted(box, [&](ivec2 p) { return holds(edges, far.at(p)); });
+}
+
 /// FAULTY: the edge functions with their brackets multiplied out (errata E001-43). Far from the origin
 /// a x + b y and c are large and nearly cancel: the edge from (1e8+1, 1e8) to (1e8+3, 1e8+1) gives -1 at
 /// (1e8+2, 1e8+0.5), which lies on it. Pixels along the edges are left out or drawn twice.
 ///
-/// triangle, window, plot: as for cover. origin: of the window, in pixels from where coordinates count: a
-///   tile of a huge picture.
+/// t, window, plot: as for cover. origin: of the window, in pixels from where coordinates count: a tile
+///   of a huge picture.
 ///
 /// Domain: as cover; |origin| up to 2^44, so that places are exact.
 /// Steps: Prepared Tested* Finished, as cover.
@@ -119,27 +118,24 @@ class FarEdges {
 /// Cost: as cover, with 2 multiplications an edge and pixel, and a list of the pixels.
 /// Errors: ContractViolation for corners or windows that lie too far out.
 template <std::invocable<ivec2, const Weights&> Plot, Observer<Prepared, Tested, Finished> O = Unobserved>
-constexpr void expanded_edges(const Triangle& triangle, dvec2 origin, const Window& window, Plot&& plot,
+constexpr void expanded_edges(const Triangle& t, dvec2 origin, const Window& window, Plot&& plot,
                               O&& observer = {}) {
-  expects(near_enough(triangle), "a corner of the triangle lies more than {} pixels out", farthest);
+  expects(near_enough(t), "a corner of the triangle lies more than {} pixels out", farthest);
   expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
-  const auto area = doubled_area(triangle);
+  const auto area = doubled_area(t);
   if (area == 0) return;
-  const auto box = centres(triangle, window);
-  const auto edges = edges_of(triangle);
-  if constexpr (observed<O>) observer(Prepared{triangle, area, edges, box});
+  auto box = centres(t, window);
+  auto edges = edges_of(t);
+  if constexpr (observed<O>) observer(Prepared{t, area, edges, box});
   const FarEdges far(edges, origin);
-  const auto pixels = pixels_of(box);
-  std::int64_t covered = 0;
-  for (const ivec2 p : pixels) {
+  for (ivec2 p : pixels_of(box)) {
     // Huge terms nearly cancel
     const auto e = far.at(p);
     const bool in = holds(edges, e);
     if constexpr (observed<O>) observer(Tested{p, e, in});
     if (in) plot(p, e);
-    covered += in;
   }
-  if constexpr (observed<O>) observer(Finished{std::ssize(pixels), covered});
+  if constexpr (observed<O>) observer(counted_far(edges, far, box));
 }
 
 }  // namespace gradus::triangle_coverage
