@@ -62,7 +62,7 @@ constexpr bool fits_plane(ivec2 center, int radius) {
 /// Plots the mirror images of (x, y), each pixel once: on an axis and on a diagonal two of the eight are one,
 /// and a circle of radius 0 is its centre.
 template <class Plot>
-constexpr void plot_mirrored(ivec2 center, Whole x, Whole y, Plot& plot) {
+constexpr void plot_once(ivec2 center, Whole x, Whole y, Plot& plot) {
   for (const Octant& octant : octants) {
     if (!octant.has_borders() && (x == 0 || x == y)) continue;
     plot(pixel_of(center, octant, x, y));
@@ -193,10 +193,10 @@ constexpr void decision_parameter(ivec2 center, int radius, Plot&& plot, O&& obs
   expects(fits_plane(center, radius), "the circle round ({}, {}) with radius {} leaves int32", center.x,
           center.y, radius);
   Whole x = 0, y = radius;
-  // Is E nearer to the circle, or SE?
+  // Is E nearer the circle, or SE?
   Whole p = 3 - 2 * y;
   if constexpr (observed<O>) observer(Started{center, radius, p});
-  plot_mirrored(center, x, y, plot);
+  plot_once(center, x, y, plot);
   while (x < y) {
     if (p < 0) {
       if constexpr (observed<O>) observer(Compared{place(x, y), p, true});
@@ -210,9 +210,9 @@ constexpr void decision_parameter(ivec2 center, int radius, Plot&& plot, O&& obs
       --y;  // SE
       if constexpr (observed<O>) observer(Stepped{place(x, y), p - 4 * (x - y) - 2, p, false});
     }
-    // Past the diagonal: drawn before
+    // Past the diagonal it is drawn
     if (x > y) break;
-    plot_mirrored(center, x, y, plot);
+    plot_once(center, x, y, plot);
   }
   if constexpr (observed<O>) observer(Finished{pixel_count(radius)});
 }

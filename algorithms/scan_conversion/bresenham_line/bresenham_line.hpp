@@ -119,23 +119,24 @@ template <class Plot, Observer<Started, Compared, Stepped, Finished> O = Unobser
 constexpr void decision_parameter(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
   auto [dx, dy] = extent(from, to);
   const Moves go = moves(from, to);
+  const auto& [E, NE, tie] = go;
   // Does the line pass above the
-  // midpoint of the two next pixels?
+  // midpoint between the next two?
   Whole p = 2 * dy - dx;
   if constexpr (observed<O>) observer(Started{from, to, dx, dy, p, go});
   ivec2 pixel = from;
   plot(pixel);
   while (pixel != to) {
-    if (p < 0 || (p == 0 && go.tie)) {
+    if (p < 0 || (p == 0 && tie)) {
       if constexpr (observed<O>) observer(Compared{pixel, go, p, true});
-      pixel += go.straight;  // E
+      pixel += E;
       p += 2 * dy;
-      if constexpr (observed<O>) observer(Stepped{pixel - go.straight, pixel, p - 2 * dy, p, true});
+      if constexpr (observed<O>) observer(Stepped{pixel - E, pixel, p - 2 * dy, p, true});
     } else {
       if constexpr (observed<O>) observer(Compared{pixel, go, p, false});
-      pixel += go.diagonal;  // NE
+      pixel += NE;
       p += 2 * (dy - dx);
-      if constexpr (observed<O>) observer(Stepped{pixel - go.diagonal, pixel, p - 2 * (dy - dx), p, false});
+      if constexpr (observed<O>) observer(Stepped{pixel - NE, pixel, p - 2 * (dy - dx), p, false});
     }
     plot(pixel);
   }
@@ -245,6 +246,7 @@ template <class Plot, Observer<Started, Jumped, Compared, Stepped, Finished> O =
 constexpr void in_window(ivec2 from, ivec2 to, const Window& window, Plot&& plot, O&& observer = {}) {
   auto [dx, dy] = extent(from, to);
   const Moves go = moves(from, to);
+  const auto& [E, NE, tie] = go;
   if constexpr (observed<O>) observer(Started{from, to, dx, dy, 2 * dy - dx, go});
   auto in = visible(from, to, window);
   if (in.last < in.first) {
@@ -258,16 +260,16 @@ constexpr void in_window(ivec2 from, ivec2 to, const Window& window, Plot&& plot
   if constexpr (observed<O>) observer(Jumped{in, pixel, p});
   plot(pixel);
   while (k++ < in.last) {
-    if (p < 0 || (p == 0 && go.tie)) {
+    if (p < 0 || (p == 0 && tie)) {
       if constexpr (observed<O>) observer(Compared{pixel, go, p, true});
-      pixel += go.straight;  // E
+      pixel += E;
       p += 2 * dy;
-      if constexpr (observed<O>) observer(Stepped{pixel - go.straight, pixel, p - 2 * dy, p, true});
+      if constexpr (observed<O>) observer(Stepped{pixel - E, pixel, p - 2 * dy, p, true});
     } else {
       if constexpr (observed<O>) observer(Compared{pixel, go, p, false});
-      pixel += go.diagonal;  // NE
+      pixel += NE;
       p += 2 * (dy - dx);
-      if constexpr (observed<O>) observer(Stepped{pixel - go.diagonal, pixel, p - 2 * (dy - dx), p, false});
+      if constexpr (observed<O>) observer(Stepped{pixel - NE, pixel, p - 2 * (dy - dx), p, false});
     }
     plot(pixel);
   }

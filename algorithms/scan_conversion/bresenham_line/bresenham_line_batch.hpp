@@ -45,7 +45,7 @@ struct Run {
 };
 
 /// The run that pixel number k of a line lies in, from that pixel on. Domain: 0 <= k <= dx.
-constexpr Run run_from(ivec2 from, ivec2 to, Whole k) {
+constexpr Run run_at(ivec2 from, ivec2 to, Whole k) {
   const auto [dx, dy] = extent(from, to);
   const Moves go = moves(from, to);
   if (dy == 0) return {place(from, go, k, 0), k, dx + 1, 0};
@@ -68,18 +68,18 @@ template <class Emit, Observer<RunsStarted, RunEmitted, Finished> O>
 constexpr void emit_runs(ivec2 from, ivec2 to, Stretch shown, Emit& emit, O& observer) {
   auto [dx, dy] = extent(from, to);
   const Moves go = moves(from, to);
-  // dx / dy pixels each, or one more
+  // dx / dy pixels or one more each
   Division each = divide(dx, dy);
   if constexpr (observed<O>) observer(RunsStarted{from, to, dx, dy, each.shortest});
-  auto [first, last] = shown;
-  Run run = run_from(from, to, first);
+  auto [k, last] = shown;
+  auto run = run_at(from, to, k);
   while (run.next <= last) {
     emit(run.start, run.pixels());
     if constexpr (observed<O>) observer(RunEmitted{run.start, go, run.pixels()});
     run.start = after(run, go);
     run.k = run.next;
     run.next += each.shortest;
-    // One more when the rest fills up
+    // One more if the rest fills up
     run.rest += each.rest;
     if (run.rest >= 2 * dy) {
       ++run.next;
@@ -90,7 +90,7 @@ constexpr void emit_runs(ivec2 from, ivec2 to, Stretch shown, Emit& emit, O& obs
   run.next = last + 1;
   emit(run.start, run.pixels());
   if constexpr (observed<O>) observer(RunEmitted{run.start, go, run.pixels()});
-  if constexpr (observed<O>) observer(Finished{last - first + 1});
+  if constexpr (observed<O>) observer(Finished{last - k + 1});
 }
 
 /// Gives out a line as runs of pixels along its leading axis, in order from `from` to `to`: the same pixels

@@ -254,7 +254,7 @@ class Story {
       board.plot(p, p == pixel(at) ? Role::current : late_ ? Role::past : Role::accepted);
     };
     if (windowed_) return image(pixel(at));
-    late_ ? plot_eight(circle_.center, at.x, at.y, image) : plot_mirrored(circle_.center, at.x, at.y, image);
+    late_ ? plot_eight(circle_.center, at.x, at.y, image) : plot_once(circle_.center, at.x, at.y, image);
   }
   /// All eight of them, and how many are set again.
   void plot_with_again(Board& board, ivec2 at) {
@@ -286,7 +286,7 @@ class Story {
     auto past = [&](ivec2 p) { board.plot(p, Role::past); };
     for (std::int64_t x = std::max<std::int64_t>(1, k_ - 100); x < k_; ++x) {
       const ivec2 before = place(x, height_at(circle_.radius, x));
-      plot_mirrored(circle_.center, before.x, before.y, past);
+      plot_once(circle_.center, before.x, before.y, past);
     }
     plot(board, at);
   }
