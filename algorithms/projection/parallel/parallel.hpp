@@ -143,7 +143,7 @@ Point<T> oblique(T d, Slant<T> slant, Point<T> p, O&& observer = {}) {
   const T t = d - p.z;
   if constexpr (observed<O>) observer(Cast<T>{p, t});
   // On the way there the projector
-  // leans by a and b a unit of depth
+  // leans a and b a unit of depth
   const T x = p.x + t * a;
   const T y = p.y + t * b;
   const Point<T> image{x, y, d};
@@ -169,7 +169,7 @@ Point<T> along(const Plane<T>& plane, Point<T> v, Point<T> p, O&& observer = {})
   const auto [n, offset] = plane;
   // The projector is p + t v, and
   // n · (p + t v) = offset
-  const T ahead = offset - dot(n, p);
+  T ahead = offset - dot(n, p);
   const T t = ahead / dot(n, v);
   if constexpr (observed<O>) observer(Cast<T>{p, t});
   // There it meets the plane

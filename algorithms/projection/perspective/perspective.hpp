@@ -216,7 +216,7 @@ struct Divided {
 template <class T, Observer<Multiplied<T>> O = Unobserved>
 Point4<T> transform(const Projection<T>& p, Point3<T> v, O&& observer = {}) {
   // The matrix, row by row
-  const auto [sx, sy, sz, shift] = p;
+  auto [sx, sy, sz, shift] = p;
   const T x = sx * v.x;
   const T y = sy * v.y;
   const T z = sz * v.z + shift;
@@ -300,7 +300,7 @@ std::array<Point3<T>, 8> frustum_corners(T across, T up, T near, T far, O&& obse
   expects(T(0) < across && T(0) < up, "angles of view above 0 expected");
   expects(T(0) < near && near < far, "depths with 0 < near < far expected");
   std::array<Point3<T>, 8> corners;
-  for (std::size_t i = 0; i < 8; ++i) {
+  for (unsigned i = 0; i < 8; ++i) {
     // First the near rectangle
     const T z = i < 4 ? near : far;
     // Half its width and height
@@ -395,8 +395,8 @@ template <Observer<Resolved> O = Unobserved>
 double separable_step(DepthCurve curve, DepthFormat format, double n, double f, double z, O&& observer = {}) {
   expects(n <= z && z <= f, "depths lie between {} and {}, not at {}", n, f, z);
   // The gap between stored depths
-  double d = depth_of(curve, n, f, z);
-  double gap = spacing(format, d);
+  auto d = depth_of(curve, n, f, z);
+  auto gap = spacing(format, d);
   // How steep the curve is there
   double slope = 1 / (f - n);
   if (curve != DepthCurve::linear) {

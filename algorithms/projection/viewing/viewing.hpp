@@ -133,7 +133,7 @@ Frame<T> look_at(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O
   expects(length(r) >= least_sine<T>, "up ({}, {}, {}) is parallel to the view direction", up.x, up.y, up.z);
   auto right = upright_on(ahead, r);
   if constexpr (observed<O>) observer(Levelled<T>{up, right, length(r)});
-  // Up: at right angles to these two
+  // Up: at right angles to both
   auto above = cross(right, ahead);
   Frame f{eye, right, above, ahead};
   if constexpr (observed<O>) observer(Framed<T>{f});
@@ -165,13 +165,13 @@ Frame<T> spare_up(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, 
   expects(is_finite(eye) && is_finite(target) && is_finite(up), "eye, target and up have finite coordinates");
   // Does up say what is right?
   const auto d = way(eye, target);
-  const T sine = sine_between(d, up);
+  T sine = sine_between(d, up);
   if (sine >= least_sine<T>) {
     return look_at(eye, target, up, observer);
   }
   // It doesn't: take another up
   const auto ahead = unit_vector(d);
-  const auto top = spare_hint(ahead);
+  auto top = spare_hint(ahead);
   if constexpr (observed<O>) observer(HintReplaced<T>{up, top});
   return look_at(eye, target, top, observer);
 }
@@ -217,12 +217,12 @@ template <class T, Observer<RowWritten<T>> O = Unobserved>
 Matrix<T> world_to_view(const Frame<T>& frame, O&& observer = {}) {
   const auto& eye = frame.eye;
   Matrix<T> m(T(1));
-  for (int row = 0; row < 3; ++row) {
-    auto axis = axis_of(frame, row);
+  for (int i = 0; i < 3; ++i) {
+    auto axis = axis_of(frame, i);
     // So that the eye goes to 0
     const T shift = -dot(axis, eye);
-    write_row(m, row, axis, shift);
-    if constexpr (observed<O>) observer(RowWritten<T>{row, axis, shift});
+    write_row(m, i, axis, shift);
+    if constexpr (observed<O>) observer(RowWritten<T>{i, axis, shift});
   }
   return m;
 }
@@ -318,12 +318,12 @@ template <class T, Observer<ColumnWritten<T>> O = Unobserved>
 Matrix<T> inverse_of_any_frame(const Frame<T>& frame, O&& observer = {}) {
   // Each axis about 1 long
   const Rescaled<T> axes(frame);
-  const auto& [x, y, z] = axes.scaled;
+  auto [x, y, z] = axes.scaled;
   // What the three axes span
   const T det = dot(x, cross(y, z));
   expects(det > least_span<T>() || det < -least_span<T>(),
           "the axes lie in one plane, so no point can be told from those beside it");
-  // At right angles to the other two
+  // Each at right angles to two
   const glm::vec<3, T> normals[]{
       cross(y, z),
       cross(z, x),

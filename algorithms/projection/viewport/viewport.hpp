@@ -169,17 +169,52 @@ bool holds(const Rectangle<T>& viewport, glm::vec<2, T> place) {
          place.y < viewport.upper.y;
 }
 
-/// A coordinate as an integer, by a named rounding; exact: the fraction is compared, never added to.
-/// Domain: |x| < 2^31 - 1.
+/// The largest integer up to x. Domain: |x| < 2^31 - 1.
+template <class T>
+int floor_of(T x) {
+  using std::floor;
+  return static_cast<int>(floor(x));
+}
+
+/// A coordinate as an integer, by each of the named roundings; exact: the fraction is compared, never added
+/// to. Domain: |x| < 2^31 - 1.
+template <class T>
+int by_floor(T x) {
+  // The pixel that it lies in
+  return floor_of(x);
+}
+template <class T>
+int by_half_up(T x) {
+  const T half = T(1) / T(2);
+  const int below = floor_of(x);
+  const T fraction = x - T(below);
+  // Midway: the larger one
+  const bool up = fraction >= half;
+  return below + up;
+}
+template <class T>
+int by_half_even(T x) {
+  const T half = T(1) / T(2);
+  const int below = floor_of(x);
+  const T fraction = x - T(below);
+  // Midway: the even one
+  bool up = fraction > half;
+  if (fraction == half) {
+    up = below % 2 != 0;
+  }
+  return below + up;
+}
+
 template <class T>
 int rounded(T x, Rounding rounding) {
-  using std::floor;
-  const int below = static_cast<int>(floor(x));
-  if (rounding == Rounding::floor) return below;
-  const T half = T(1) / T(2), fraction = x - T(below);
-  const bool odd = below % 2 != 0;
-  const bool up = half < fraction || (half == fraction && (rounding == Rounding::half_up || odd));
-  return below + up;
+  switch (rounding) {
+    case Rounding::floor:
+      return by_floor(x);
+    case Rounding::half_up:
+      return by_half_up(x);
+    default:
+      return by_half_even(x);
+  }
 }
 
 template <class T>
@@ -207,11 +242,11 @@ template <class T, Observer<Measured<T>, Placed<T>, Outside<T>, Rounded<T>> O = 
 std::optional<ivec2> rasterize(const Mapping<T>& map, glm::vec<2, T> point, Rounding rule = Rounding::floor,
                                O&& observer = {}) {
   // How far across the window?
-  auto part = fraction_of(map, point);
-  if constexpr (observed<O>) observer(Measured<T>{point, part});
+  auto t = fraction_of(map, point);
+  if constexpr (observed<O>) observer(Measured<T>{point, t});
   // As far across the viewport
-  auto place = place_at(map, part);
-  if constexpr (observed<O>) observer(Placed<T>{part, place});
+  auto place = place_at(map, t);
+  if constexpr (observed<O>) observer(Placed<T>{t, place});
   // Outside: say so, move nothing
   if (!holds(map.viewport, place)) {
     if constexpr (observed<O>) observer(Outside<T>{place});

@@ -266,8 +266,17 @@ struct Numbers {
   }
 };
 
+/// The function that rounds by a rule.
+constexpr std::string_view function_of(Rounding rounding) {
+  return rounding == Rounding::floor     ? "by_floor"
+         : rounding == Rounding::half_up ? "by_half_up"
+                                         : "by_half_even";
+}
+
 template <Rounding rounding>
 void tell_rounding(Narrator& narrator) {
+  narrator.list(function_of(rounding));
+  narrator.list_below("rasterize");
   const Input input = input_of(narrator.arguments(), rounding);
   tell_points(narrator, input, false,
               [&](dvec2 point, const auto& watch) { rasterize(input.map, point, rounding, watch); });
