@@ -141,10 +141,10 @@ std::optional<Segment<2, T>> cut_of_a_cut(Segment<2, T> line, const Rectangle<T>
     if (++cuts > 4) break;
     // Move an end that is outside
     // to a border of its code
-    End<T>& end = a.code ? a : b;
-    auto to = first(order, end.code);
-    end = cut(a, b, to, window);
-    if constexpr (observed<O>) observer(Cut<T>{&end == &a, to, {a.at, b.at}, a.code, b.code});
+    End<T>& e = a.code ? a : b;
+    auto to = first(order, e.code);
+    e = cut(a, b, to, window);
+    if constexpr (observed<O>) observer(Cut<T>{&e == &a, to, {a.at, b.at}, a.code, b.code});
   }
   if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
   return std::nullopt;
@@ -201,11 +201,11 @@ std::optional<Segment<2, T>> correctly_rounded(Segment<2, T> line, const Rectang
     // One cut a border is enough
     if (++cuts > 4) break;
     // Move an end that is outside
-    // along the line as it was given
-    End<T>& end = a.code ? a : b;
-    auto to = first(order, end.code);
-    end = cut(line, to, window);
-    if constexpr (observed<O>) observer(Cut<T>{&end == &a, to, {a.at, b.at}, a.code, b.code});
+    // along the line that was given
+    End<T>& e = a.code ? a : b;
+    auto to = first(order, e.code);
+    e = cut(line, to, window);
+    if constexpr (observed<O>) observer(Cut<T>{&e == &a, to, {a.at, b.at}, a.code, b.code});
   }
   if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
   return std::nullopt;

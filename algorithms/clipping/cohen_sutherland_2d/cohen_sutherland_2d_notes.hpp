@@ -51,13 +51,13 @@ std::optional<Segment<2, T>> codes_only(Segment<2, T> line, const Rectangle<T>& 
       return std::nullopt;
     }
     // Where the line meets a border
-    End<T>& out = a.code ? a : b;
-    auto to = first(order, out.code);
-    auto met = cut(a, b, to, window);
+    End<T>& e = a.code ? a : b;
+    auto to = first(order, e.code);
+    auto c = cut(a, b, to, window);
     // Only its code goes to an end
     bool of_a = to == Border::left;
-    (of_a ? a : b).code = met.code;
-    if constexpr (observed<O>) observer(Recoded<T>{of_a, to, met.at, a.code, b.code});
+    (of_a ? a : b).code = c.code;
+    if constexpr (observed<O>) observer(Recoded<T>{of_a, to, c.at, a.code, b.code});
   }
   if constexpr (observed<O>) observer(GaveUp{rounds});
   return std::nullopt;

@@ -169,10 +169,10 @@ std::optional<Segment<N, T>> cut_of_a_cut(Segment<N, T> line, const Region& regi
     if (++cuts > 6) break;
     // An end that is outside moves
     // to a face of its code
-    auto& end = a.code != 0 ? a : b;
-    auto face = first_of(order, end);
-    end = cut(a, b, face, region);
-    if constexpr (observed<O>) observer(Cut<N, T>{&end == &a, face, {a.at, b.at}, a.code, b.code});
+    auto& e = a.code != 0 ? a : b;
+    auto face = first_of(order, e);
+    e = cut(a, b, face, region);
+    if constexpr (observed<O>) observer(Cut<N, T>{&e == &a, face, {a.at, b.at}, a.code, b.code});
   }
   if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
   return nothing;
@@ -233,12 +233,12 @@ std::optional<Segment<N, T>> correctly_rounded(Segment<N, T> line, const Region&
     }
     // One cut a face is enough
     if (++cuts > 6) break;
-    // An end that is outside moves to
-    // a face, along the original line
-    auto& end = a.code != 0 ? a : b;
-    auto face = first_of(order, end);
-    end = end_at(line, face, region);
-    if constexpr (observed<O>) observer(Cut<N, T>{&end == &a, face, {a.at, b.at}, a.code, b.code});
+    // An end that is outside moves
+    // to a face on the given line
+    auto& e = a.code != 0 ? a : b;
+    auto face = first_of(order, e);
+    e = end_at(line, face, region);
+    if constexpr (observed<O>) observer(Cut<N, T>{&e == &a, face, {a.at, b.at}, a.code, b.code});
   }
   if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
   return nothing;

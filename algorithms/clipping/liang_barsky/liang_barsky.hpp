@@ -101,26 +101,28 @@ std::optional<Segment<2, T>> parametric(Segment<2, T> line, const Rectangle<T>& 
   auto d = b - a;
   T enter = 0, leave = 1;
   if constexpr (observed<O>) observer(Started<T>{line, window, d});
-  for (Border border : order) {
+  for (Border edge : order) {
     // The border allows p t <= q
-    int axis = axis_of(border);
-    T c = coordinate(window, border);
-    T out = outward(border);
+    int axis = axis_of(edge);
+    T c = coordinate(window, edge);
+    T out = outward(edge);
     T p = out * d[axis];
     T q = out * (c - a[axis]);
     bool beyond = false;
     if (p < 0) {
       // Entering: the last t counts
-      enter = std::max(enter, q / p);
-      if constexpr (observed<O>) observer(tested(border, p, q, enter, leave));
+      const T t = q / p;
+      enter = std::max(enter, t);
+      if constexpr (observed<O>) observer(tested(edge, p, q, enter, leave));
     } else if (p > 0) {
       // Leaving: the first t counts
-      leave = std::min(leave, q / p);
-      if constexpr (observed<O>) observer(tested(border, p, q, enter, leave));
+      const T t = q / p;
+      leave = std::min(leave, t);
+      if constexpr (observed<O>) observer(tested(edge, p, q, enter, leave));
     } else {
-      // Parallel: beyond the border?
+      // Parallel: beyond or not?
       beyond = q < 0;
-      if constexpr (observed<O>) observer(tested(border, p, q, enter, leave));
+      if constexpr (observed<O>) observer(tested(edge, p, q, enter, leave));
     }
     // Nothing left: reject
     if (beyond || enter > leave) {

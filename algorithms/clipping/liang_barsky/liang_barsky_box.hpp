@@ -73,11 +73,13 @@ std::optional<Segment<3, T>> box_parametric(Segment<3, T> line, const AxisBox<3,
     bool beyond = false;
     if (p < 0) {
       // Entering: the last t counts
-      enter = std::max(enter, q / p);
+      const T t = q / p;
+      enter = std::max(enter, t);
       if constexpr (observed<O>) observer(tested(face, p, q, enter, leave));
     } else if (p > 0) {
       // Leaving: the first t counts
-      leave = std::min(leave, q / p);
+      const T t = q / p;
+      leave = std::min(leave, t);
       if constexpr (observed<O>) observer(tested(face, p, q, enter, leave));
     } else {
       // Parallel: beyond the face?

@@ -258,7 +258,7 @@ struct PlacedChord {
     return crossing(false);
   }
   /// Where it leaves, its second end being outside. `from`: the side of the other end.
-  dvec2 departure(int from) const {
+  dvec2 exit(int from) const {
     if (from == 0 && past_foot(segment.a, segment, circle.centre) >= 0) return segment.a;
     return crossing(true);
   }

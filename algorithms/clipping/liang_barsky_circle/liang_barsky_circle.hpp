@@ -110,7 +110,7 @@ std::optional<Segment<2, T>> half_chord(const Segment<2, T>& segment, const Circ
   auto f = a - circle.centre;
   T A = dot(d, d);
   T k = d.x * f.y - d.y * f.x;
-  // Does the line come as near as r?
+  // Does the line come within r?
   T D = r * r * A - k * k;
   if constexpr (observed<O>) observer(Measured<T>{A, k, D});
   if (A == 0) {
@@ -121,15 +121,15 @@ std::optional<Segment<2, T>> half_chord(const Segment<2, T>& segment, const Circ
     // Equally far from the foot
     T foot = -dot(f, d) / A;
     T half = std::sqrt(D) / A;
-    T enters = foot - half;
-    T leaves = foot + half;
-    if constexpr (observed<O>) observer(Crossed<T>{foot, half, enters, leaves});
+    T enter = foot - half;
+    T leave = foot + half;
+    if constexpr (observed<O>) observer(Crossed<T>{foot, half, enter, leave});
     // The segment is 0 <= t <= 1
-    T first = std::max(T(0), enters);
-    T last = std::min(T(1), leaves);
-    if constexpr (observed<O>) observer(Limited<T>{first, last});
-    if (first <= last) {
-      kept = part(a, b, first, last);
+    T from = std::max(T(0), enter);
+    T to = std::min(T(1), leave);
+    if constexpr (observed<O>) observer(Limited<T>{from, to});
+    if (from <= to) {
+      kept = part(a, b, from, to);
     }
   }
   if constexpr (observed<O>) observer(Finished<T>{kept});
@@ -167,8 +167,8 @@ std::optional<Segment<2, T>> exact_decision(const Segment<2, T>& segment, const 
   int to = side(s.b, c);
   if constexpr (observed<O>) observer(Placed{from, to});
   std::optional kept = segment;
-  // Both outside: does the line come
-  // near enough, between them?
+  // Both outside: is the line near
+  // enough, between them?
   if (from > 0 && to > 0) {
     bool foot = foot_between(s, c);
     int D = foot ? reach(s, c) : -1;
@@ -176,14 +176,15 @@ std::optional<Segment<2, T>> exact_decision(const Segment<2, T>& segment, const 
     if (D < 0) kept.reset();
   }
   // Ends outside move to the circle
-  if (kept && (from > 0 || to > 0)) {
+  bool outside = from > 0 || to > 0;
+  if (kept && outside) {
     auto chord = chord_on(s, c);
     if (from > 0) {
       kept->a = chord.entry(to);
       if constexpr (observed<O>) observer(Cut<T>{segment.a, kept->a, false});
     }
     if (to > 0) {
-      kept->b = chord.departure(from);
+      kept->b = chord.exit(from);
       if constexpr (observed<O>) observer(Cut<T>{segment.b, kept->b, true});
     }
   }

@@ -50,10 +50,10 @@ std::optional<Segment<2, T>> without_empty_test(const Segment<2, T>& segment, co
     T t1 = (-B - root) / (2 * A);
     T t2 = (-B + root) / (2 * A);
     if constexpr (observed<O>) observer(Solved<T>{t1, t2});
-    T first = std::max(T(0), t1);
-    T last = std::min(T(1), t2);
-    if constexpr (observed<O>) observer(Limited<T>{first, last});
-    kept = part(a, b, first, last);
+    T from = std::max(T(0), t1);
+    T to = std::min(T(1), t2);
+    if constexpr (observed<O>) observer(Limited<T>{from, to});
+    kept = part(a, b, from, to);
   }
   if constexpr (observed<O>) observer(Finished<T>{kept});
   return kept;
@@ -97,11 +97,11 @@ std::optional<Segment<2, T>> discriminant_equals_zero(const Segment<2, T>& segme
     T t1 = (-B - root) / (2 * A);
     T t2 = (-B + root) / (2 * A);
     if constexpr (observed<O>) observer(Solved<T>{t1, t2});
-    T first = std::max(T(0), t1);
-    T last = std::min(T(1), t2);
-    if constexpr (observed<O>) observer(Limited<T>{first, last});
-    if (first <= last) {
-      kept = part(a, b, first, last);
+    T from = std::max(T(0), t1);
+    T to = std::min(T(1), t2);
+    if constexpr (observed<O>) observer(Limited<T>{from, to});
+    if (from <= to) {
+      kept = part(a, b, from, to);
     }
   }
   if constexpr (observed<O>) observer(Finished<T>{kept});

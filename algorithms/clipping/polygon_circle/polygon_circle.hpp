@@ -262,36 +262,36 @@ template <std::floating_point T,
           Observer<Oriented, Tested, Sorted, Entered, Walked, Bent, Closed, Finished<T>> O = Unobserved>
 Region<T> arcs(std::span<const glm::vec<2, T>> polygon, const Circle<T>& circle, O&& observer = {}) {
   expect_circle(circle);
-  Walk walk(polygon, circle);
-  if constexpr (observed<O>) observer(Oriented{walk.corners, walk.circle});
+  Walk w(polygon, circle);
+  if constexpr (observed<O>) observer(Oriented{w.corners, w.circle});
   // Where does the boundary pass?
-  for (auto i : walk.edges()) {
-    walk.pass(i);
-    if constexpr (observed<O>) observer(tested(walk, i));
+  for (auto i : w.edges()) {
+    w.pass(i);
+    if constexpr (observed<O>) observer(tested(w, i));
   }
   // Order that round the circle
-  walk.sort();
-  if constexpr (observed<O>) observer(Sorted{walk.passes});
-  expect_alternating(walk.passes);
-  Region<T> region = undivided(walk);
-  // A ring begins at each entry left
-  for (auto entry : walk.entries()) {
+  w.sort();
+  if constexpr (observed<O>) observer(Sorted{w.passes});
+  expect_alternating(w.passes);
+  auto region = undivided(w);
+  // Each entry left begins a ring
+  for (auto entry : w.entries()) {
     Ring<T> ring;
-    while (walk.enter(entry)) {
-      append(ring, walk.at(entry));
-      if constexpr (observed<O>) observer(Entered{region.rings.size(), entry, walk.at(entry)});
-      // Along the polygon to the exit
-      auto i = walk.edge_at(entry);
-      while (!walk.exit(i)) {
-        i = walk.next(i);
-        append(ring, walk.corners[i]);
-        if constexpr (observed<O>) observer(Walked{region.rings.size(), i, walk.corners[i]});
+    while (w.enter(entry)) {
+      append(ring, w.at(entry));
+      if constexpr (observed<O>) observer(Entered{region.rings.size(), entry, w.at(entry)});
+      // Along the edges to an exit
+      auto i = w.edge_at(entry);
+      while (!w.exit(i)) {
+        i = w.next(i);
+        append(ring, w.corners[i]);
+        if constexpr (observed<O>) observer(Walked{region.rings.size(), i, w.corners[i]});
       }
-      // Along the circle to an entry
-      auto exit = *walk.exit(i);
-      add_arc(ring, walk, exit);
-      if constexpr (observed<O>) observer(bent(region.rings.size(), walk, exit));
-      entry = walk.after(exit);
+      // Along the arc to an entry
+      auto exit = *w.exit(i);
+      add_arc(ring, w, exit);
+      if constexpr (observed<O>) observer(bent(region.rings.size(), w, exit));
+      entry = w.after(exit);
     }
     if (ring.empty()) continue;
     region.add(closed(ring));

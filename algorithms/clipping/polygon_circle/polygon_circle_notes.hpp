@@ -52,17 +52,17 @@ std::vector<glm::vec<2, T>> first_crossing(std::span<const glm::vec<2, T>> polyg
   std::vector<glm::vec<2, T>> kept;
   for (auto i : walk.edges()) {
     auto edge = walk.edge(i);
-    bool from_in = walk.holds(edge.a);
-    bool to_in = walk.holds(edge.b);
-    if constexpr (observed<O>) observer(Looked{i, edge.a, edge.b, from_in, to_in});
-    // One end inside: "the crossing"
-    if (from_in != to_in) {
-      auto cut = first_of(edge, walk);
-      kept.push_back(cut);
-      if constexpr (observed<O>) observer(Kept{cut, true});
+    bool was = walk.holds(edge.a);
+    bool is = walk.holds(edge.b);
+    if constexpr (observed<O>) observer(Looked{i, edge.a, edge.b, was, is});
+    // One end in: "the crossing"
+    if (was != is) {
+      auto c = first_of(edge, walk);
+      kept.push_back(c);
+      if constexpr (observed<O>) observer(Kept{c, true});
     }
-    // The second end, if it is inside
-    if (to_in) {
+    // The second end, if inside
+    if (is) {
       kept.push_back(edge.b);
       if constexpr (observed<O>) observer(Kept{edge.b, false});
     }

@@ -18,8 +18,8 @@ struct PlainBorder {
 
   /// 1 inside, 0 on the border, -1 outside.
   int side(const Vertex<T>& v) const { return side_of_border(window, number, v.at); }
-  /// Whether a vertex lies in the whole window.
-  bool in_window(const Vertex<T>& v) const {
+  /// Whether a vertex lies inside of all borders.
+  bool in_all(const Vertex<T>& v) const {
     for (int i = 0; i < 4; ++i) {
       if (side_of_border(window, i, v.at) < 0) return false;
     }
@@ -78,23 +78,23 @@ template <class T, Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPa
 std::vector<Vertex<T>> cut_of_a_cut(std::span<const Vertex<T>> polygon, const PlainBorder<T>& border,
                                     O&& observer = {}) {
   std::vector<Vertex<T>> kept;
-  Vertex<T> last = polygon.back();
+  Vertex<T> old = polygon.back();
   for (const auto& now : polygon) {
-    int was = border.side(last);
+    int was = border.side(old);
     int is = border.side(now);
-    if constexpr (observed<O>) observer(tested(border, polygon, last, now));
+    if constexpr (observed<O>) observer(tested(border, polygon, old, now));
     // The edge crosses: cut it
     if (was * is < 0) {
-      auto c = border.cut(last, now);
+      auto c = border.cut(old, now);
       kept.push_back(c);
-      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, last, now, c, was > 0});
+      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, old, now, c, was > 0});
     }
     // What is inside or on it stays
     if (is >= 0) {
       kept.push_back(now);
       if constexpr (observed<O>) observer(VertexKept<T>{border.number, now});
     }
-    last = now;
+    old = now;
   }
   if constexpr (observed<O>) observer(BorderPassed<T>{border.number, kept});
   return kept;

@@ -232,7 +232,7 @@ template <class T, class Window,
 void split_at(int border, std::vector<Ring<T>>& rings, const Scene<T, Window>& scene, O&& observer = {}) {
   BorderCut cut(scene, border);
   // Split rings into chains inside
-  for (const Ring<T>& ring : rings) {
+  for (const auto& ring : rings) {
     auto sides = cut.sides(ring);
     if constexpr (observed<O>) observer(RingTested<T>{border, ring, sides});
     if (all_inside(sides)) {
@@ -241,10 +241,10 @@ void split_at(int border, std::vector<Ring<T>>& rings, const Scene<T, Window>& s
       cut.split(ring, sides);
     }
   }
-  // Order crossings along the border
+  // Sort crossings along the border
   cut.order();
   if constexpr (observed<O>) observer(CrossingsOrdered<T>{border, cut.crossings()});
-  // Each exit leads to the next entry
+  // An exit leads to the next entry
   for (auto& pair : cut.pairs()) {
     cut.join(pair);
     if constexpr (observed<O>) observer(CrossingsJoined<T>{border, pair.leaves, pair.enters});

@@ -133,22 +133,22 @@ template <class T, class Window,
 void cut_at_border(std::span<const Vertex<T>> polygon, const ExactBorder<T, Window>& border, Kept<T>& kept,
                    O&& observer = {}) {
   kept.start(border.number);
-  Vertex<T> last = polygon.back();
-  int was = border.side(last);
+  Vertex<T> old = polygon.back();
+  int was = border.side(old);
   for (const auto& now : polygon) {
     int is = border.side(now);
-    if constexpr (observed<O>) observer(tested(border, polygon, last, was, now, is));
+    if constexpr (observed<O>) observer(tested(border, polygon, old, was, now, is));
     // The edge crosses: cut it
     if (was * is < 0) {
-      kept.add(border.cut(last));
-      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, last, now, kept.polygon.back(), was > 0});
+      kept.add(border.cut(old));
+      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, old, now, kept.polygon.back(), was > 0});
     }
     // What is inside or on it stays
     if (is >= 0) {
       kept.add(now, is);
       if constexpr (observed<O>) observer(VertexKept<T>{border.number, now});
     }
-    last = now;
+    old = now;
     was = is;
   }
   kept.close();

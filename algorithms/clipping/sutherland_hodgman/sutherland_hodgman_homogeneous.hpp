@@ -125,14 +125,14 @@ std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane,
   std::vector<Vertex> kept;
   kept.reserve(polygon.size() + 1);
   if (polygon.empty()) return kept;
-  Vertex last = polygon.back();
+  Vertex old = polygon.back();
   for (const auto& now : polygon) {
-    T was = distance(plane, last.at);
+    T was = distance(plane, old.at);
     T is = distance(plane, now.at);
     if constexpr (observed<O>) observer(Tested<T>{plane, number_in(polygon, now), now.at, is >= 0});
     // The edge crosses: cut it
     if (crosses(was, is)) {
-      auto c = cut(plane, last, now);
+      auto c = cut(plane, old, now);
       kept.push_back(c.vertex);
       if constexpr (observed<O>) observer(Cut<T>{plane, c.inside, c.outside, c.t, c.vertex.at});
     }
@@ -141,7 +141,7 @@ std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane,
       kept.push_back(now);
       if constexpr (observed<O>) observer(CornerKept<T>{plane, number_in(polygon, now)});
     }
-    last = now;
+    old = now;
   }
   if constexpr (observed<O>) observer(Passed<T>{plane, kept.size()});
   return kept;
