@@ -119,7 +119,6 @@ void expect_polygon(const Points<T>& polygon) {
 /// Errors: ContractViolation outside the domain.
 template <class T, Observer<EdgeCut<T>, RoundDone, Finished> O = Unobserved>
 Points<T> chaikin(Points<T> points, int rounds, Ends ends, O&& observer = {}) {
-  using P = Point<T>;
   expect_polygon(points);
   expects(0 <= rounds && rounds < 24 && std::ssize(points) << rounds <= most_points,
           "at most 2^24 points in the end, not {} rounds from {}", rounds, points.size());
@@ -127,9 +126,10 @@ Points<T> chaikin(Points<T> points, int rounds, Ends ends, O&& observer = {}) {
   for (int k = 0; k < rounds; ++k) {
     Points<T> cut;
     cut.reserve(2 * points.size());
-    for (auto [a, b] : edges(points, ends)) {
-      const P q = s * a + t * b;
-      const P r = t * a + s * b;
+    auto all = edges(points, ends);
+    for (auto [a, b] : all) {
+      Point<T> q = s * a + t * b;
+      Point<T> r = t * a + s * b;
       cut.insert(cut.end(), {q, r});
       if constexpr (observed<O>) observer(EdgeCut<T>{k + 1, cut.size() / 2 - 1, {a, b}, q, r});
     }
@@ -153,13 +153,12 @@ Points<T> chaikin(Points<T> points, int rounds, Ends ends, O&& observer = {}) {
 /// Errors: ContractViolation outside the domain.
 template <class T, class Take, Observer<ArcFound<T>, Finished> O = Unobserved>
 void limit(const Points<T>& polygon, Ends ends, Take&& take, O&& observer = {}) {
-  using P = Point<T>;
   expect_polygon(polygon);
-  const T half(0.5);
-  const auto all = corners(polygon, ends);
+  const T h(0.5);
+  auto all = corners(polygon, ends);
   for (auto [i, a, b, c] : all) {
-    const P p = half * a + half * b;
-    const P q = half * b + half * c;
+    Point<T> p = h * a + h * b;
+    Point<T> q = h * b + h * c;
     // Tangent to both edges
     const Parabola<T> arc{p, b, q};
     take(arc);

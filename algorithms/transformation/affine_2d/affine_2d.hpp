@@ -218,11 +218,11 @@ Matrix<T> one_matrix(std::span<const Factor<T>> factors, std::span<Point<T>> poi
   // Nothing acts yet
   Matrix<T> product(T(1));
   if constexpr (observed<O>) observer(Started<T>{product, {points.begin(), points.end()}});
-  for (const auto& factor : factors) {
+  for (const auto& f : factors) {
     // Later factors go to the left
-    const auto m = matrix(factor);
+    const auto m = matrix(f);
     product = m * product;
-    if constexpr (observed<O>) observer(Multiplied<T>{number_of(factor, factors), m, product});
+    if constexpr (observed<O>) observer(Multiplied<T>{number_of(f, factors), m, product});
   }
   // One matrix serves all points
   for (Point<T>& p : points) {
@@ -255,16 +255,15 @@ struct Acted {
 template <class T, Observer<Started<T>, Acted<T>> O = Unobserved>
 void factor_by_factor(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
   if constexpr (observed<O>) observer(Started<T>{Matrix<T>(T(1)), {points.begin(), points.end()}});
-  for (const auto& factor : factors) {
-    const auto c = factor.pivot;
-    auto act = [&](Point<T>& p) {
+  for (const auto& f : factors) {
+    const auto c = f.pivot;
+    for (Point<T>& p : points) {
       // From the pivot, and back
       const auto d = p - c;
-      p = factor.linear * d + c;
-      p = p + factor.shift;
-    };
-    for (Point<T>& p : points) act(p);
-    if constexpr (observed<O>) observer(Acted<T>{number_of(factor, factors), {points.begin(), points.end()}});
+      p = f.linear * d + c;
+      p = p + f.shift;
+    }
+    if constexpr (observed<O>) observer(Acted<T>{number_of(f, factors), {points.begin(), points.end()}});
   }
 }
 
@@ -290,16 +289,18 @@ template <class T, Observer<Rebased<T>, Multiplied<T>, Moved<T>> O = Unobserved>
 Matrix<T> local_coordinates(Point<T> origin, std::span<const Factor<T>> factors, std::span<Point<T>> points,
                             O&& observer = {}) {
   // Everything seen from the origin
-  for (auto& p : points) p -= origin;
+  for (Point<T>& p : points) {
+    p -= origin;
+  }
   if constexpr (observed<O>) observer(Rebased<T>{origin, {points.begin(), points.end()}});
   Matrix<T> product(T(1));
-  for (const auto& factor : factors) {
-    auto local = factor;
+  for (const auto& f : factors) {
+    auto local = f;
     local.pivot -= origin;
     // Later factors go to the left
     const auto m = matrix(local);
     product = m * product;
-    if constexpr (observed<O>) observer(Multiplied<T>{number_of(factor, factors), m, product});
+    if constexpr (observed<O>) observer(Multiplied<T>{number_of(f, factors), m, product});
   }
   for (Point<T>& p : points) {
     const auto from = p;
@@ -451,7 +452,7 @@ bool undo(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& ob
   while (k-- > 0) {
     const auto& last = factors[k];
     const auto back = inverse(last);
-    // Nothing where points became one
+    // None where points became one
     if (!back) {
       if constexpr (observed<O>) observer(Stuck{k});
       return false;

@@ -297,8 +297,8 @@ Matrix<T> one_matrix(std::span<const Matrix<T>> factors, std::span<Point<T>> poi
   // Nothing acts yet
   Matrix<T> product(T(1));
   if constexpr (observed<O>) observer(Started<T>{product, {points.begin(), points.end()}});
-  for (const Matrix<T>& m : factors) {
-    // Later factors stand on the left
+  for (const auto& m : factors) {
+    // Later factors go to the left
     product = compose(m, product);
     if constexpr (observed<O>) observer(Multiplied<T>{number_of(m, factors), m, product});
   }
@@ -344,7 +344,7 @@ struct Decomposed {
 /// and all that came before is undone in the opposite order.
 /// Source: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 2nd edition 1990, 5.7.
 ///
-/// p: a point on the axis. to_z: the turns that bring its direction onto z. turn: the angle.
+/// p: a point on the axis. to: the turns that bring its direction onto z. turn: the angle.
 ///
 /// Domain: everything finite.
 /// Steps: Decomposed*, seven for an axis in general position: to_origin into_plane onto_z turn off_z
@@ -354,20 +354,20 @@ struct Decomposed {
 /// Cost: up to 6 products of matrices.
 /// Errors: none.
 template <class T, Observer<Decomposed<T>> O = Unobserved>
-Matrix<T> decomposition(Point<T> p, const Alignment<T>& to_z, const Turn<T>& turn, O&& observer = {}) {
+Matrix<T> decomposition(Point<T> p, const Alignment<T>& to, const Turn<T>& turn, O&& observer = {}) {
   // The axis comes to the origin
   auto m = translation(T(0) - p);
   auto product = m;
   if constexpr (observed<O>) observer(Decomposed<T>{Part::to_origin, m, product});
-  // Turned about x: into the xz plane
-  if (to_z.x) {
-    m = rotation_x(*to_z.x);
+  // About x into the xz plane
+  if (to.x) {
+    m = rotation_x(*to.x);
     product = m * product;
     if constexpr (observed<O>) observer(Decomposed<T>{Part::into_plane, m, product});
   }
-  // Turned about y: onto z
-  if (to_z.y) {
-    m = rotation_y(*to_z.y);
+  // About y onto z
+  if (to.y) {
+    m = rotation_y(*to.y);
     product = m * product;
     if constexpr (observed<O>) observer(Decomposed<T>{Part::onto_z, m, product});
   }
@@ -376,13 +376,13 @@ Matrix<T> decomposition(Point<T> p, const Alignment<T>& to_z, const Turn<T>& tur
   product = m * product;
   if constexpr (observed<O>) observer(Decomposed<T>{Part::turn, m, product});
   // The way back, last factor first
-  if (to_z.y) {
-    m = rotation_y(reversed(*to_z.y));
+  if (to.y) {
+    m = rotation_y(reversed(*to.y));
     product = m * product;
     if constexpr (observed<O>) observer(Decomposed<T>{Part::off_z, m, product});
   }
-  if (to_z.x) {
-    m = rotation_x(reversed(*to_z.x));
+  if (to.x) {
+    m = rotation_x(reversed(*to.x));
     product = m * product;
     if constexpr (observed<O>) observer(Decomposed<T>{Part::out_of_plane, m, product});
   }
