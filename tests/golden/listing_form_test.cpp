@@ -25,37 +25,20 @@ const std::set<std::string_view> yet{
     "a_buffer",             //
     "accumulation_buffer",  //
     "adaptive",             //
-    "affine_2d",            //
-    "affine_3d",            //
     "antialiased_line",     //
     "area_sampling",        //
     "back_face_culling",    //
-    "bresenham_circle",     //
-    "bresenham_line",       //
     "bsp_tree",             //
-    "cohen_sutherland_2d",  //
-    "cohen_sutherland_3d",  //
-    "flood_fill",           //
     "illumination",         //
     "jittered",             //
-    "liang_barsky",         //
-    "liang_barsky_circle",  //
     "octree_order",         //
     "painter",              //
-    "parallel",             //
-    "perspective",          //
     "pipeline",             //
     "poisson_disc",         //
-    "polygon_circle",       //
     "polygon_shading",      //
     "sampling_theorem",     //
-    "subdivision_curve",    //
     "supersampling",        //
-    "sutherland_hodgman",   //
     "texture_mapping",      //
-    "triangle_coverage",    //
-    "viewing",              //
-    "viewport",             //
     "z_buffer",             //
 };
 
