@@ -10,15 +10,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <deque>
 #include <span>
-#include <vector>
 
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/image.hpp"
 #include "core/observe.hpp"
 #include "core/raster.hpp"
+#include "scan_conversion/flood_fill/containers.hpp"
 
 namespace gradus::flood_fill {
 
@@ -120,64 +119,6 @@ struct SpanTaken {
 /// Nothing waits any more.
 struct Finished {
   Filled filled;
-};
-
-// --- Containers that know how full they were ---------------------
-
-/// Last in, first out.
-template <class Entry>
-class Stack {
- public:
-  static constexpr std::size_t entry_bytes = sizeof(Entry);
-
-  void push(const Entry& entry) {
-    entries_.push_back(entry);
-    peak_ = std::max(peak_, entries_.size());
-    ++pushed_;
-  }
-  void pop() { entries_.pop_back(); }
-  Entry take() {
-    const Entry entry = entries_.back();
-    entries_.pop_back();
-    return entry;
-  }
-  Entry& top() { return entries_.back(); }
-  bool empty() const { return entries_.empty(); }
-  std::size_t size() const { return entries_.size(); }
-  std::size_t peak() const { return peak_; }
-  Whole pushed() const { return pushed_; }
-
- private:
-  std::vector<Entry> entries_;
-  std::size_t peak_ = 0;
-  Whole pushed_ = 0;
-};
-
-/// First in, first out; gives its memory back as it empties.
-template <class Entry>
-class Queue {
- public:
-  static constexpr std::size_t entry_bytes = sizeof(Entry);
-
-  void push(const Entry& entry) {
-    entries_.push_back(entry);
-    peak_ = std::max(peak_, entries_.size());
-    ++pushed_;
-  }
-  Entry take() {
-    const Entry entry = entries_.front();
-    entries_.pop_front();
-    return entry;
-  }
-  bool empty() const { return entries_.empty(); }
-  std::size_t size() const { return entries_.size(); }
-  std::size_t peak() const { return peak_; }
-  Whole pushed() const { return pushed_; }
-
- private:
-  std::deque<Entry> entries_;
-  std::size_t peak_ = 0;
-  Whole pushed_ = 0;
 };
 
 /// What a fill reports at its end.
