@@ -176,7 +176,8 @@ void drop_types(Lexemes& tokens) {
       erase(tokens, i, name);
       continue;
     }
-    if (!is_name(tokens[name]) || is_keyword(tokens[name])) continue;
+    // "in" is a word of the textbook's alone
+    if (!is_name(tokens[name]) || (is_keyword(tokens[name]) && !tokens[name].is("in"))) continue;
     erase(tokens, i, name);
     if (i == 0) declared = type;
   }

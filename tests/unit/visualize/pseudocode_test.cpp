@@ -37,6 +37,7 @@ TEST(Pseudocode, WritesValuesAndConditionsAsATextbookDoes) {
   EXPECT_EQ(written({"Kept<T> kept(border, std::move(room));"}), "kept ← Kept(border, room)");
   EXPECT_EQ(written({"std::optional<Segment<2, T>> kept;"}), "kept ← nothing");
   EXPECT_EQ(written({"last = &now;", "was = side(*last);"}), "last ← now|was ← side(last)");
+  EXPECT_EQ(written({"const bool in = holds(edges, e);"}), "in ← holds(edges, e)");
   EXPECT_EQ(written({"T enter = T(0), leave = T(1);"}), "enter ← 0, leave ← 1");
 }
 
