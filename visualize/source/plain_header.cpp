@@ -23,8 +23,9 @@ struct LeftOut {
   std::string_view header;  ///< as it is included
   std::string_view type{};  ///< functions of which are left out with it
 };
-constexpr std::array<LeftOut, 3> left_out{{
+constexpr std::array<LeftOut, 4> left_out{{
     {"core/observe.hpp"},
+    {"core/tally.hpp"},
     {"core/record.hpp"},
     {"core/arithmetic/exact_scalar.hpp", "Exact"},
 }};

@@ -58,6 +58,16 @@ std::vector<std::string> erase_reports(Code& code) {
   return words;
 }
 
+/// Erases `Tally<O, Work> tally(observer);`, and gives the name of what is counted to the steps.
+void erase_tallies(Code& code, std::vector<std::string>& steps) {
+  constexpr std::string_view head = "Tally<O, ";
+  for (std::size_t at = code.bare().find(head); at != nowhere; at = code.bare().find(head, at)) {
+    const std::size_t begin = at + head.size(), end = code.bare().find('>', begin);
+    steps.emplace_back(code.bare().substr(begin, end - begin));
+    erase_lines(code, {at, code.bare().find(';', end) + 1});
+  }
+}
+
 /// The brace that opens the innermost block around a place, or nowhere.
 std::size_t block_begin(std::string_view bare, std::size_t at) {
   int depth = 0;
@@ -309,11 +319,12 @@ Unwatched without_observers(std::string_view text) {
   Code code(without_words_of_observers(without_words_of_steps(text)));
   Unwatched result;
   const std::vector<std::string> reported = erase_reports(code);
+  erase_tallies(code, result.steps);
   erase_concepts(code, result.steps);
   shorten_heads(code, result.steps);
   for (const std::string_view listed :
        {"O&& observer = {}", "O&& observer", "O& observer", "Observed&&... observer",
-        "std::forward<Observed>(observer)...", "observer", "nobody"}) {
+        "std::forward<Observed>(observer)...", "observer", "nobody", "tally"}) {
     erase_listed(code, listed);
   }
   rename(code, "order_and_observer", "order");

@@ -46,11 +46,12 @@ bool declares(std::string_view line, std::string_view name) {
          without_indent(before).find("return ") != 0;
 }
 
-/// Whether a statement is none of the method's: it reports a step, refuses an input, or sets memory aside.
+/// Whether a statement is none of the method's: it reports a step or counts for reports, refuses an input, or
+/// sets memory aside.
 bool is_plumbing(std::string_view code) {
   const std::string_view called = code.substr(0, code.find('('));
-  return code.starts_with("if constexpr (observed<") || called == "expects" ||
-         called.starts_with("expect_") || called.ends_with(".reserve");
+  return code.starts_with("if constexpr (observed<") || code.starts_with("Tally<O, ") ||
+         called == "expects" || called.starts_with("expect_") || called.ends_with(".reserve");
 }
 
 /// First and one past the last line of the function's body, or nothing where the line declares without
@@ -110,17 +111,23 @@ std::string name_of(std::string_view parameter) {
   return {begin.base(), parameter.end()};
 }
 
-/// "divide(point, view):", without observers.
+/// What a heading has room for beside two drawings, with what ends it.
+constexpr std::size_t widest_heading = 34;
+constexpr std::string_view and_more = ", …):";
+
+/// "divide(point, view):", without observers; "scanline(faces, window, …):" where not all parameters fit.
 std::string heading_text(std::string_view function, std::string_view declaration) {
-  std::string heading(function);
+  std::string heading(function), cut;
   const char* before = "(";
   for (const std::string& parameter : parameters_in(declaration.substr(declaration.find(function)))) {
     const std::string name = name_of(parameter);
     if (name.empty() || name == "observer") continue;
+    if (heading.size() + 5 <= widest_heading) cut = heading;
     heading += before + name;
     before = ", ";
   }
-  return heading + (*before == '(' ? "():" : "):");
+  heading += *before == '(' ? "():" : "):";
+  return heading.size() <= widest_heading || cut == function ? heading : cut + std::string(and_more);
 }
 
 // --- Which line a step marks ---------------------------------------------------------------------------
@@ -171,12 +178,13 @@ SourceLine changed_line(std::string_view line, int number) {
   return {number, std::string(line.substr(0, line.size() - put_in.size())), Change::added};
 }
 
-/// A call without the observer that it hands on.
+/// A call without the observer that it hands on, or what counts for it.
 std::string without_observer(std::string_view line) {
-  constexpr std::string_view handed_on = ", observer)";
   std::string text(line);
-  if (const std::size_t at = text.find(handed_on); at != std::string::npos)
-    text.replace(at, handed_on.size(), ")");
+  for (const std::string_view handed_on : {", observer)", ", tally)"}) {
+    if (const std::size_t at = text.find(handed_on); at != std::string::npos)
+      text.replace(at, handed_on.size(), ")");
+  }
   return text;
 }
 
@@ -255,6 +263,12 @@ int line_that_ran(std::span<const SourceLine> lines, int line) {
     return lines[at].number;
   }
   return 0;
+}
+
+int line_with(std::span<const SourceLine> lines, std::string_view text) {
+  const auto has = [text](const SourceLine& line) { return line.text.find(text) != std::string::npos; };
+  const auto found = std::ranges::find_if(lines, has);
+  return found == lines.end() ? 0 : found->number;
 }
 
 }  // namespace gradus

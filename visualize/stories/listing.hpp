@@ -11,8 +11,8 @@
 
 namespace gradus {
 
-/// What stands above a function's body where a listing has several: "divide(point, view):", under the number of the
-/// line that declares it. Nothing where there is no such function.
+/// What stands above a function's body where a listing has several: "divide(point, view):", under the number
+/// of the line that declares it. Nothing where there is no such function.
 std::optional<SourceLine> heading_of(std::string_view source, std::string_view function);
 
 /// The source lines of a function's body, from the first to that of its closing brace; {0, 0} without one.
@@ -23,5 +23,8 @@ std::pair<int, int> body_of(std::string_view source, std::string_view function);
 /// not have been taken it is the head of the branch, whose question was asked in any case. 0 where there is
 /// none.
 int line_that_ran(std::span<const SourceLine> lines, int line);
+
+/// The number of the first listed line with this text; 0 where there is none.
+int line_with(std::span<const SourceLine> lines, std::string_view text);
 
 }  // namespace gradus

@@ -49,6 +49,41 @@ std::string source_line(const Trace& trace, int number) {
 
 // Every method, every example: what is marked stands in the listing, and in the file at that very place. The
 // file is read anew here; a line number of another file or function points at some other text.
+TEST(LineWith, IsTheFirstThatHasTheText) {
+  EXPECT_EQ(line_with(loop, "(now)"), 11);
+  EXPECT_EQ(line_with(loop, "draw("), 20);
+  EXPECT_EQ(line_with(loop, "erase("), 0);
+}
+
+TEST(Listing, LeavesOutWhatCountsForReports) {
+  constexpr std::string_view source = R"(template <class O>
+void walk(const Faces& faces, O&& observer = {}) {
+  Tally<O, Work> tally(observer);
+  for (const Face& face : faces) {
+    keep(face.depth, face.id, tally);
+    if constexpr (observed<O>) observer(tally.count(FaceDone{face.id, 0}));
+  }
+}
+)";
+  std::vector<std::string> lines;
+  for (const SourceLine& line : listing_of(source, "walk")) lines.push_back(line.text);
+  EXPECT_EQ(lines, (std::vector<std::string>{"for (const Face& face : faces) {",
+                                             "  keep(face.depth, face.id);", "}"}));
+}
+
+TEST(Listing, CutsAHeadingThatHasMoreParametersThanFit) {
+  constexpr std::string_view source = R"(void cover(int triangle, int window) {
+  done();
+}
+void scanline(int faces, int window, int line, int store, int paint) {
+  done();
+}
+)";
+  EXPECT_EQ(heading_of(source, "cover")->text, "cover(triangle, window):");
+  EXPECT_EQ(heading_of(source, "scanline")->text, "scanline(faces, window, line, …):");
+  EXPECT_TRUE(is_heading(heading_of(source, "scanline")->text));
+}
+
 TEST(MarkedLine, StandsInTheFileThatToldTheStep) {
   int marked = 0;
   for (const Trace& trace : test::telling_traces({}, {}, true)) {
