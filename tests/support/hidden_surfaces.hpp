@@ -211,7 +211,7 @@ inline Picture by_scanline(const Polygons& scene, const Camera& camera) {
 inline void paint(Picture& picture, const bsp_tree::Polygon<double>& face, const Camera& camera) {
   const auto corners = camera.image(face.corners);
   const z_buffer::Outline outline({corners, {}}, picture.window());
-  outline.visit([&](ivec2 pixel) { picture[pixel] = static_cast<int>(face.face); });
+  for (const ivec2 pixel : outline.pixels()) picture[pixel] = static_cast<int>(face.face);
 }
 inline Picture painted(const Polygons& order, const Camera& camera) {
   Picture picture(camera.size, camera.size, nobody);

@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,7 @@
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
 #include "core/raster.hpp"
+#include "core/tally.hpp"
 #include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
 #include "visibility/z_buffer/face_plane.hpp"
 
@@ -34,10 +37,18 @@ struct Compared {
   bool nearer;              ///< whether the newcomer takes its place
 };
 
-/// What a pixel holds: its depth and who it is. Free while `taken` is false.
+/// The depth of what is free: behind all others.
+template <class T>
+constexpr T behind_all() {
+  using Limits = std::numeric_limits<T>;
+  static_assert(Limits::is_specialized, "depths are numbers");
+  return Limits::has_infinity ? Limits::infinity() : Limits::max();
+}
+
+/// What a pixel holds: its depth and who it is. Free while `taken` is false; then its depth is behind all.
 template <class T, class Key>
 struct Cell {
-  T depth{};
+  T depth = behind_all<T>();
   Key key{};
   bool taken = false;
 };
@@ -48,43 +59,11 @@ constexpr std::optional<T> held(const Cell<T, Key>& cell) {
   return cell.taken ? std::optional<T>(cell.depth) : std::nullopt;
 }
 
-/// Whether (depth, key) goes before what the cell holds: it is nearer, or as near with the lower key. A depth
-/// that is no number goes before nothing.
-template <class T, class Key>
-constexpr bool beats(const Cell<T, Key>& cell, T depth, const Key& key) {
-  if (!(depth == depth)) return false;
-  if (!cell.taken) return true;
-  if (depth < cell.depth) return true;
-  return depth == cell.depth && key < cell.key;
-}
-
-/// The cell holds this from now on.
-template <class T, class Key>
-constexpr void take(Cell<T, Key>& cell, T depth, const Key& key) {
-  cell = {depth, key, true};
-}
-
-/// Tests a depth at a pixel and keeps it when it is the nearest so far. Returns whether it was kept.
-/// Source: W. Straßer, Schnelle Kurven- und Flächendarstellung auf grafischen Sichtgeräten, 1974; E. Catmull,
-/// A subdivision algorithm for computer display of curved surfaces, 1974.
-///
-/// buffer: a cell a pixel. pixel: in the buffer. depth: smaller is nearer. key: who it is, e.g. (object,
-///   face); at equal depth the lower one is kept.
-///
-/// Domain: buffer.contains(pixel), not checked. A NaN depth is never kept.
-/// Steps: Compared.
-/// Accuracy: exact. The result is the least (depth, key) of all that were tested, in any order.
-/// Cost: two or three comparisons; the memory is the buffer's, however much is drawn.
-/// Errors: none.
-template <class T, class Key, Observer<Compared<T, Key>> O = Unobserved>
-constexpr bool keep_nearest(Raster<Cell<T, Key>>& buffer, ivec2 pixel, T depth, const Key& key,
-                            O&& observer = {}) {
-  auto& cell = buffer[pixel];
-  const bool nearer = beats(cell, depth, key);
-  if constexpr (observed<O>) observer(Compared<T, Key>{pixel, depth, key, held(cell), nearer});
-  if (nearer) take(cell, depth, key);
-  return nearer;
-}
+/// What the cells of a buffer hold.
+template <class Cells>
+using DepthIn = decltype(std::declval<Cells&>()[ivec2{}].depth);
+template <class Cells>
+using KeyIn = decltype(std::declval<Cells&>()[ivec2{}].key);
 
 // --- Faces -------------------------------------------------------
 
@@ -122,21 +101,46 @@ class Outline {
     for (const auto& edge : edges_) turns += turn(edge, centre);
     return turns != 0;
   }
-  /// visit(pixel) for each pixel of row y that is held, from left to right.
-  template <class Visit>
-  void visit_row(int y, Visit&& visit) const {
-    if (y < box_.lower.y || y > box_.upper.y) return;
-    for (int x = box_.lower.x; x <= box_.upper.x; ++x) {
-      if (holds({x, y})) visit(ivec2{x, y});
-    }
-  }
-  /// The same for all rows, from top to bottom.
-  template <class Visit>
-  void visit(Visit&& visit_pixel) const {
-    for (int y = box_.lower.y; y <= box_.upper.y; ++y) visit_row(y, visit_pixel);
-  }
+  /// The pixels that are held, row by row from the top, each row from the left.
+  auto pixels() const { return Held(*this, box_); }
+  /// Those of row y alone.
+  auto row(int y) const { return Held(*this, {{box_.lower.x, y}, {box_.upper.x, y}}); }
 
  private:
+  /// The pixels of a rectangle that an outline holds, as a range.
+  class Held {
+   public:
+    Held(const Outline& outline, const Window& window)
+        : outline_(outline), window_(intersection(window, outline.box_)) {}
+    Held begin() const {
+      Held first = *this;
+      first.at_ = window_.lower;
+      if (window_.width() <= 0) first.at_.y = window_.upper.y + 1;
+      first.find();
+      return first;
+    }
+    std::default_sentinel_t end() const { return {}; }
+    ivec2 operator*() const { return at_; }
+    Held& operator++() {
+      step();
+      find();
+      return *this;
+    }
+    bool operator==(std::default_sentinel_t) const { return at_.y > window_.upper.y; }
+
+   private:
+    void find() {
+      while (*this != end() && !outline_.holds(at_)) step();
+    }
+    void step() {
+      if (++at_.x <= window_.upper.x) return;
+      at_ = {window_.lower.x, at_.y + 1};
+    }
+
+    const Outline& outline_;
+    const Window window_;
+    ivec2 at_{};
+  };
   static bool near_enough(const dvec3& c) {
     return std::abs(c.x) <= farthest && std::abs(c.y) <= farthest && std::isfinite(c.z);
   }
@@ -231,43 +235,75 @@ struct Finished {
   std::int64_t bytes;           ///< of the depths and ids that were held at once
 };
 
-/// Pixels that were compared, and those that changed hands.
+/// Pixels that were compared, and those that changed hands: of the face or row at hand, and of all before.
 struct Work {
   std::int64_t compared = 0, kept = 0;
+  std::int64_t compared_before = 0, kept_before = 0;
 
-  constexpr void count(bool wins) {
-    ++compared;
-    kept += wins;
-  }
-  constexpr void add(const Work& more) {
-    compared += more.compared;
-    kept += more.kept;
+  /// A step as it is told.
+  template <class Step>
+  constexpr Step operator()(Step step) {
+    if constexpr (requires { step.nearer; }) {
+      ++compared;
+      kept += step.nearer;
+    } else if constexpr (requires { step.bytes; }) {
+      step.compared = compared_before;
+      step.kept = kept_before;
+    } else {
+      step.compared = compared;
+      step.kept = kept;
+      compared_before += std::exchange(compared, 0);
+      kept_before += std::exchange(kept, 0);
+    }
+    return step;
   }
 };
-/// What each row of scanline asks a face for.
-struct Prepared {
+
+/// A face as the walks take it: which pixels it covers, and how deep it lies there. Seen edge on it covers
+/// none.
+struct Shape {
   Id id;
   std::optional<Plane> plane;
   Outline outline;
+
+  Shape(const Face& face, const Window& window)
+      : id(face.id), plane(plane_of(face)), outline(face, plane ? window : Window{{0, 0}, {-1, -1}}) {}
+
+  double z_at(ivec2 pixel) const { return plane->at(pixel); }
+  auto pixels() const { return outline.pixels(); }
+  auto row(int y) const { return outline.row(y); }
 };
-inline std::vector<Prepared> prepare(std::span<const Face> faces, const Window& picture) {
-  std::vector<Prepared> all;
-  for (const Face& face : faces) all.push_back({face.id, plane_of(face), Outline(face, picture)});
+inline std::vector<Shape> shapes(std::span<const Face> faces, const Window& window) {
+  std::vector<Shape> all;
+  for (const Face& face : faces) all.emplace_back(face, window);
   return all;
 }
+
 template <class T, class Key>
 constexpr std::int64_t bytes_of(std::span<Cell<T, Key>> cells) {
   return static_cast<std::int64_t>(cells.size_bytes());
 }
-/// Nothing is in the line yet.
+
+/// The cells of one row at a time, from the column `left` on.
 template <class T, class Key>
-constexpr void clear(std::span<Cell<T, Key>> line) {
-  std::ranges::fill(line, Cell<T, Key>{});
-}
-template <class T, class Key>
-constexpr Cell<T, Key>& at(std::span<Cell<T, Key>> line, int column) {
-  return line[static_cast<std::size_t>(column)];
-}
+struct Row {
+  std::span<Cell<T, Key>> line;
+  int left;
+
+  constexpr Row(std::span<Cell<T, Key>> cells, int first) : line(cells), left(first) {}
+  constexpr Cell<T, Key>& operator[](ivec2 p) const { return line[static_cast<std::size_t>(p.x - left)]; }
+  /// Nothing is in it yet.
+  constexpr void clear() const { std::ranges::fill(line, Cell<T, Key>{}); }
+  /// paint(pixel, key) for each pixel of row y that has one.
+  template <class Paint>
+  constexpr void paint(int y, Paint&& paint) const {
+    ivec2 p{left, y};
+    for (const auto& [depth, key, taken] : line) {
+      if (taken) paint(p, key);
+      ++p.x;
+    }
+  }
+};
 
 // --- The walks ---------------------------------------------------
 
@@ -275,8 +311,8 @@ constexpr Cell<T, Key>& at(std::span<Cell<T, Key>> line, int column) {
 /// nearer one stays.
 /// Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974.
 ///
-/// faces: in any order. buffer: the depth buffer and, as ids, the colour buffer; what is in it already
-///   counts. store(double): the depth as the buffer holds it, growing with z.
+/// faces: in any order. cells: the depth buffer and, as ids, the colour buffer; what is in it already counts.
+///   store(double): the depth as the buffer holds it, growing with z.
 ///
 /// Domain: faces plane and convex, corners at most `farthest` pixels out, of finite depth.
 /// Steps: (FaceTaken Compared* FaceDone)* Finished; Compared row by row, once for each pixel covered.
@@ -286,84 +322,96 @@ constexpr Cell<T, Key>& at(std::span<Cell<T, Key>> line, int column) {
 /// Errors: ContractViolation for a face outside the domain.
 template <class Depth, class Store = Exactly,
           Observer<FaceTaken, Compared<Depth, Id>, FaceDone, Finished> O = Unobserved>
-void per_polygon(std::span<const Face> faces, Raster<Cell<Depth, Id>>& buffer, Store store = {},
+void per_polygon(std::span<const Face> faces, Raster<Cell<Depth, Id>>& cells, Store store = {},
                  O&& observer = {}) {
-  Work all;
+  Tally<O, Work> tally(observer);
+  auto window = cells.window();
   for (const Face& face : faces) {
-    const auto id = face.id;
-    const auto plane = plane_of(face);
-    const Outline outline(  // convex
-        face, buffer.window());
-    Work work;
-    if constexpr (observed<O>) observer(FaceTaken{id, plane});
-    const auto visit = [&](ivec2 p) {
-      // Its depth at the pixel's centre
-      auto z = store(plane->at(p));
-      auto& cell = buffer[p];
-      const auto old = held(cell);
-      bool wins = beats(cell, z, id);
-      if constexpr (observed<O>) observer(Compared<Depth, Id>{p, z, id, old, wins});
-      // The nearer one stays
-      if (wins) take(cell, z, id);
-      work.count(wins);
-    };
-    if (plane) outline.visit(visit);
-    all.add(work);
-    if constexpr (observed<O>) observer(FaceDone{id, work.compared, work.kept});
+    const Shape shape(face, window);
+    const auto id = shape.id;
+    if constexpr (observed<O>) observer(FaceTaken{id, shape.plane});
+    for (ivec2 p : shape.pixels()) {
+      // Its depth at the centre
+      auto z = store(shape.z_at(p));
+      keep_nearest(cells, p, z, id, tally);
+    }
+    if constexpr (observed<O>) observer(tally.count(FaceDone{id, 0, 0}));
   }
-  if constexpr (observed<O>) observer(Finished{all.compared, all.kept, bytes_of(buffer.cells())});
+  if constexpr (observed<O>) observer(tally.count(Finished{0, 0, bytes_of(cells.cells())}));
 }
 
 /// The same picture row by row, with the depths of one row alone. Every face is asked for its pixels of the
 /// row before the next row begins.
 /// Source: A. J. Myers, An efficient visible surface program, 1975.
 ///
-/// faces, store: as for per_polygon. picture: the pixels that are asked for. line: a cell a column of it;
+/// faces, store: as for per_polygon. window: the pixels that are asked for. line: a cell a column of it;
 ///   what is in it is overwritten. paint(pixel, id) is called once for each pixel that a face covers.
 ///
-/// Domain: that of per_polygon; line.size() is the picture's width.
+/// Domain: that of per_polygon; line.size() is the window's width.
 /// Steps: (RowBegun Compared* RowDone)* Finished; Compared face by face in each row.
 /// Accuracy: the ids are those that per_polygon leaves in its buffer.
 /// Cost: the comparisons of per_polygon; the bytes of one row.
 /// Errors: ContractViolation for a face outside the domain, or a line of another size.
 template <class Depth, class Store, class Paint,
           Observer<RowBegun, Compared<Depth, Id>, RowDone, Finished> O = Unobserved>
-void scanline(std::span<const Face> faces, const Window& picture, std::span<Cell<Depth, Id>> line,
-              Store store, Paint&& paint, O&& observer = {}) {
-  expects(std::ssize(line) == picture.width(), "a line of {} cells is not as wide as the picture",
+void scanline(std::span<const Face> faces, const Window& window, std::span<Cell<Depth, Id>> line, Store store,
+              Paint&& paint, O&& observer = {}) {
+  expects(std::ssize(line) == window.width(), "a line of {} cells is not as wide as the picture",
           line.size());
-  const auto [lower, upper] = picture;
-  const int left = lower.x;
-  auto prepared = prepare(faces, picture);
-  Work all;
-  for (int y = lower.y; y <= upper.y; ++y) {
+  Tally<O, Work> tally(observer);
+  auto all = shapes(faces, window);
+  const int top = window.lower.y;
+  const int end = window.upper.y;
+  Row row(line, window.lower.x);
+  for (int y = top; y <= end; ++y) {
     // All depths are free again
-    clear(line);
-    Work work;
+    row.clear();
     if constexpr (observed<O>) observer(RowBegun{y});
-    for (auto& face : prepared) {
-      auto& [id, plane, outline] = face;
-      const auto visit = [&](ivec2 p) {
-        auto z = store(plane->at(p));
-        auto& cell = at(line, p.x - left);
-        const auto old = held(cell);
-        bool wins = beats(cell, z, id);
-        if constexpr (observed<O>) observer(Compared<Depth, Id>{p, z, id, old, wins});
-        if (wins) take(cell, z, id);
-        work.count(wins);
-      };
-      if (plane) outline.visit_row(y, visit);
+    for (const auto& s : all) {
+      const auto id = s.id;
+      for (ivec2 p : s.row(y)) {
+        auto z = store(s.z_at(p));
+        keep_nearest(row, p, z, id, tally);
+      }
     }
     // The row's colours are final
-    for (int x = left; x <= upper.x; ++x) {
-      auto& cell = at(line, x - left);
-      const auto [z, id, taken] = cell;
-      if (taken) paint(ivec2{x, y}, id);
-    }
-    all.add(work);
-    if constexpr (observed<O>) observer(RowDone{y, work.compared, work.kept});
+    row.paint(y, paint);
+    if constexpr (observed<O>) observer(tally.count(RowDone{y, 0, 0}));
   }
-  if constexpr (observed<O>) observer(Finished{all.compared, all.kept, bytes_of(line)});
+  if constexpr (observed<O>) observer(tally.count(Finished{0, 0, bytes_of(line)}));
+}
+
+// --- The comparison ----------------------------------------------
+
+/// Tests a depth at a pixel and keeps it when it is the nearest so far. Returns whether it was kept.
+/// Source: W. Straßer, Schnelle Kurven- und Flächendarstellung auf grafischen Sichtgeräten, 1974; E. Catmull,
+/// A subdivision algorithm for computer display of curved surfaces, 1974.
+///
+/// cells: one a pixel. p: in them. z: smaller is nearer. key: who it is, e.g. (object, face); at equal depth
+///   the lower one is kept.
+///
+/// Domain: cells.contains(p), not checked. A NaN depth is never kept.
+/// Steps: Compared.
+/// Accuracy: exact. The result is the least (depth, key) of all that were tested, in any order.
+/// Cost: two or three comparisons; the memory is the buffer's, however much is drawn.
+/// Errors: none.
+template <class Cells, class T = DepthIn<Cells>, class Key = KeyIn<Cells>,
+          Observer<Compared<T, Key>> O = Unobserved>
+constexpr bool keep_nearest(Cells& cells, ivec2 p, std::type_identity_t<T> z,
+                            const std::type_identity_t<Key>& key, O&& observer = {}) {
+  auto& [d, who, taken] = cells[p];
+  bool nearer = z < d;
+  // As near: the lower key stays
+  if (z == d) {
+    nearer = !taken || key < who;
+  }
+  if constexpr (observed<O>) observer(Compared<T, Key>{p, z, key, held(cells[p]), nearer});
+  if (nearer) {
+    d = z;
+    who = key;
+    taken = true;
+  }
+  return nearer;
 }
 
 }  // namespace gradus::z_buffer

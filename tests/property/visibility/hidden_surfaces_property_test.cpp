@@ -144,7 +144,7 @@ Effort painted_effort(const Polygons& order, std::int64_t tests) {
   for (const auto& part : order) {
     const auto corners = measured.image(part.corners);
     const z_buffer::Outline outline({corners, {}}, {{0, 0}, {measured.size - 1, measured.size - 1}});
-    outline.visit([&](ivec2) { ++effort.writes; });
+    for ([[maybe_unused]] const ivec2 pixel : outline.pixels()) ++effort.writes;
   }
   const Picture picture = painted(order, measured);
   effort.covered = std::ranges::count_if(picture.cells(), [](int face) { return face != nobody; });

@@ -68,15 +68,16 @@ inline Owners right_of(const Subject& subject) {
   std::ranges::sort(faces, {}, &Face::id);
   for (const Face& face : faces) {
     const Judge judge(subject.in_space[static_cast<std::size_t>(face.id.face)], subject.sight);
-    Outline(face, subject.picture()).visit([&](ivec2 pixel) {
+    const Outline outline(face, subject.picture());
+    for (const ivec2 pixel : outline.pixels()) {
       const auto distance = judge.distance(pixel);
-      if (!distance) return;
+      if (!distance) continue;
       const std::pair at{pixel.x, pixel.y};
       const auto [there, is_new] = nearest.try_emplace(at, *distance);
-      if (!is_new && !(*distance < there->second)) return;
+      if (!is_new && !(*distance < there->second)) continue;
       there->second = *distance;
       shown[at] = face.id;
-    });
+    }
   }
   return shown;
 }

@@ -2,6 +2,7 @@
 
 #include "visibility/z_buffer/z_buffer.hpp"
 
+#include "stories/listing.hpp"
 #include "stories/parameters.hpp"
 #include "stories/rings.hpp"
 #include "stories/visibility/z_buffer_judge.hpp"
@@ -27,6 +28,9 @@ class Story {
   std::optional<StepNumber> telling() const { return telling_; }
   /// How far apart depths must lie to be stored as two.
   void precision(double distance) { precision_ = distance; }
+  /// What is marked where a pixel is compared: not the question about equal depths, which may be the last
+  /// line before that is told.
+  void comparing(int line) { comparing_ = line; }
   std::int64_t wrong() const { return std::ssize(wrong_); }
 
   void show(Board& board, const steps::Started&) {
@@ -107,6 +111,7 @@ class Story {
                 .row = {face, c.pixel.x, c.pixel.y, z, old, c.nearer ? face : other},
                 .key = pixel_key(c.pixel),
                 .level = Level::step};
+    event.line = comparing_;
     add_places(event, c);
     if (look_.whole && c.nearer) {
       event.text = "whole";
@@ -297,6 +302,7 @@ class Story {
   std::int64_t milestones_ = -1;
   int fine_ = 0;
   std::optional<StepNumber> telling_;
+  std::optional<int> comparing_;
   double precision_ = 0;
 };
 
@@ -333,6 +339,9 @@ void tell_walk(Narrator& narrator, const Subject& subject, auto store, Look look
   const Owners right = right_of(subject);
   Story<T> story(narrator.words(), subject, text, look, right);
   story.precision(distance_between_codes(subject, store));
+  const auto& listing = narrator.trace().listing;
+  const int compared = line_with(listing, "nearer = z < d"), called = line_with(listing, "keep_nearest(");
+  if (compared + called > 0) story.comparing(compared > 0 ? compared : called);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   run(watch);
@@ -352,6 +361,7 @@ void with_depths(const Arguments& arguments, const Subject& subject, const auto&
 template <bool rows>
 void tell_stored(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
+  narrator.list_below("keep_nearest");
   with_depths(narrator.arguments(), subject, [&]<class T>(T, auto store) {
     tell_walk<T>(narrator, subject, store, {.rows = rows}, [&](const auto& watch) {
       Raster<Cell<T, Id>> buffer(subject.size.x, rows ? 1 : subject.size.y);
