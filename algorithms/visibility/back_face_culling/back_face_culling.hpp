@@ -11,11 +11,13 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <ranges>
 #include <span>
 
 #include "core/arithmetic/exact.hpp"
 #include "core/contract.hpp"
 #include "core/observe.hpp"
+#include "core/tally.hpp"
 
 namespace gradus::back_face_culling {
 
@@ -114,6 +116,30 @@ struct Judged {
 struct Finished {
   std::size_t tests, drawn;
 };
+
+/// Counts the faces that are drawn.
+struct Drawn {
+  std::size_t drawn = 0;
+
+  /// A step as it is told.
+  template <class Step>
+  constexpr Step operator()(Step step) {
+    if constexpr (requires { step.drawn; })
+      step.drawn = drawn;
+    else
+      drawn += step.sign > 0;
+    return step;
+  }
+};
+
+/// from, from + 1, …, end - 1.
+constexpr auto numbers(std::size_t from, std::size_t end) { return std::views::iota(from, end); }
+
+/// Those of all elements.
+template <class T>
+constexpr auto numbers_of(std::span<T> all) {
+  return numbers(0, all.size());
+}
 
 /// What a sign says.
 constexpr Facing facing_of(int sign) {
@@ -277,24 +303,22 @@ glm::vec<3, T> newell_normal(Face<T> face) {
 template <class T, class Draw, Observer<NormalFound<T>, ViewTaken<T>, Judged<T>, Finished> O = Unobserved>
 void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& draw, O&& observer = {}) {
   expects(eye.w == T{0} || eye.w == T{1}, "expected an eye with w = 0 or 1, found another w");
-  const std::size_t n = faces.size();
-  std::size_t drawn = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Face<T> face = faces[i];
-    // Newell's normal, by all corners
-    const auto N = newell_normal(face);
+  Tally<O, Drawn> tally(observer);
+  for (auto i : numbers_of(faces)) {
+    const Face<T> P = faces[i];
+    // Newell's, by all corners
+    auto N = newell_normal(P);
     if constexpr (observed<O>) observer(NormalFound<T>{i, N});
     // From the face to the eye
-    const auto V = view_vector(face, eye);
-    if constexpr (observed<O>) observer(ViewTaken<T>{i, face[0], V});
+    auto V = view_vector(P, eye);
+    if constexpr (observed<O>) observer(ViewTaken<T>{i, P[0], V});
     const T dot = glm::dot(N, V);
     // Its sign, without rounding
-    const int sign = sign_of(dot, face, eye);
-    if constexpr (observed<O>) observer(Judged<T>{i, dot, sign, facing_of(sign)});
-    drawn += sign > 0;
+    int sign = sign_of(dot, P, eye);
+    if constexpr (observed<O>) observer(tally.count(Judged<T>{i, dot, sign, facing_of(sign)}));
     if (sign > 0) draw(i);
   }
-  if constexpr (observed<O>) observer(Finished{n, drawn});
+  if constexpr (observed<O>) observer(tally.count(Finished{faces.size(), 0}));
 }
 
 /// Gives `draw` the faces that run counter-clockwise in the picture: their area there is positive. One test a
@@ -314,27 +338,27 @@ void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& d
 /// Errors: ContractViolation for fewer than 3 corners, for coordinates that are not finite.
 template <class T, class Draw, Observer<TriangleAdded<T>, Judged<T>, Finished> O = Unobserved>
 void screen_area(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = {}) {
-  const std::size_t n = faces.size();
-  std::size_t drawn = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Outline<T> face = faces[i];
-    expects(face.size() >= 3, "expected faces of at least 3 corners, found {}", face.size());
+  Tally<O, Drawn> tally(observer);
+  for (auto i : numbers_of(faces)) {
+    const Outline<T> P = faces[i];
+    expects(P.size() >= 3, "expected faces of at least 3 corners, found {}", P.size());
     T sum{0};
-    const std::size_t last = face.size() - 1;
-    for (std::size_t k = 1; k < last; ++k) {
-      const auto p = face[k] - face[0];
-      const auto q = face[k + 1] - face[0];
-      const T area = p.x * q.y - q.x * p.y;
+    const auto m = P.size() - 1;
+    for (auto k : numbers(1, m)) {
+      auto p = P[k] - P[0];
+      auto q = P[k + 1] - P[0];
+      // The doubled area
+      T area = p.x * q.y;
+      area -= q.x * p.y;
       sum += area;
       if constexpr (observed<O>) observer(TriangleAdded<T>{i, k, area, sum});
     }
     // Its sign, without rounding
-    const int sign = sign_of(sum, face);
-    if constexpr (observed<O>) observer(Judged<T>{i, sum, sign, facing_of(sign)});
-    drawn += sign > 0;
+    int sign = sign_of(sum, P);
+    if constexpr (observed<O>) observer(tally.count(Judged<T>{i, sum, sign, facing_of(sign)}));
     if (sign > 0) draw(i);
   }
-  if constexpr (observed<O>) observer(Finished{n, drawn});
+  if constexpr (observed<O>) observer(tally.count(Finished{faces.size(), 0}));
 }
 
 /// Gives `draw` the faces that show their front, told before any division, as facing does of triangles.
@@ -350,20 +374,18 @@ void screen_area(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = 
 /// Errors: ContractViolation for fewer than 3 corners, for coordinates that are not finite.
 template <class T, class Draw, Observer<Judged<T>, Finished> O = Unobserved>
 void homogeneous(std::span<const Face<T>> faces, Draw&& draw, O&& observer = {}) {
-  const std::size_t n = faces.size();
-  std::size_t drawn = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Face<T> face = faces[i];
-    // det[x y w]: nothing is divided
-    const auto N = newell_normal(face);
-    const T det = glm::dot(N, face[0]);
+  Tally<O, Drawn> tally(observer);
+  for (auto i : numbers_of(faces)) {
+    const Face<T> P = faces[i];
+    // det[x y w], nothing divided
+    auto N = newell_normal(P);
+    const T det = glm::dot(N, P[0]);
     // Its sign, without rounding
-    const int sign = sign_of(det, face);
-    if constexpr (observed<O>) observer(Judged<T>{i, det, sign, facing_of(sign)});
-    drawn += sign > 0;
+    int sign = sign_of(det, P);
+    if constexpr (observed<O>) observer(tally.count(Judged<T>{i, det, sign, facing_of(sign)}));
     if (sign > 0) draw(i);
   }
-  if constexpr (observed<O>) observer(Finished{n, drawn});
+  if constexpr (observed<O>) observer(tally.count(Finished{faces.size(), 0}));
 }
 
 }  // namespace gradus::back_face_culling

@@ -113,7 +113,7 @@ TEST(BackFaceCullingNotes, OneCornerBehindTheEyeTurnsTheAreaRound) {
   EXPECT_EQ(glm::dot(newell_normal<double>(triangle), triangle[0]), 2);
   const V a = clip({0, 0, 2}), b = clip({1, 0, 2}), c = clip({0, 1, -2});
   EXPECT_EQ(glm::dot(dvec3(a.x, a.y, a.w), glm::cross(dvec3(b.x, b.y, b.w), dvec3(c.x, c.y, c.w))), 2);
-  EXPECT_EQ(area_after_division(a, b, c), -0.25);
+  EXPECT_EQ(divided_area(a, b, c), -0.25);
   EXPECT_EQ(facing_after_division(a, b, c), Facing::back);
   EXPECT_EQ(facing(a, b, c), Facing::front);
   // And the other way round: a back face that would be kept
@@ -397,7 +397,7 @@ TEST(BackFaceCullingNotes, TheNormalInViewSpaceForgetsThePerspective) {
             (std::vector<std::size_t>{0}));
   EXPECT_EQ(drawn([&](const auto& draw) { eye_space_normal<double>(spans(faces), draw); }),
             (std::vector<std::size_t>{1}));
-  EXPECT_NEAR(area_after_division(clip(faces[0][0]), clip(faces[0][1]), clip(faces[0][2])), 1.0 / 6, 1e-12);
+  EXPECT_NEAR(divided_area(clip(faces[0][0]), clip(faces[0][1]), clip(faces[0][2])), 1.0 / 6, 1e-12);
 }
 
 TEST(BackFaceCullingNotes, TheShoelacesFirstTermIsMisprinted) {

@@ -169,7 +169,7 @@ TEST(ErrataGallery, StagesOfTheChainPartWhereOneIsExchanged) {
   const auto culled = exhibits_of("E001-40");
   ASSERT_EQ(culled.size(), 2u);  // the other one is that of the topic
   EXPECT_EQ(culled[0].parting, "The runs part at step 4.");
-  EXPECT_THAT(culprit_of(culled[0]), HasSubstr("area_after_division"));
+  EXPECT_THAT(culprit_of(culled[0]), HasSubstr("divided_area"));
   EXPECT_THAT(culled[0].outcome, HasSubstr("seen = nothing for 11")) << "a hole";
   const auto closed = exhibits_of("E001-42");
   ASSERT_EQ(closed.size(), 1u);

@@ -174,7 +174,7 @@ std::string_view Tour::faulty_verdict() const {
 
 void Tour::facing_after_division() {
   const auto c = corners();
-  const double area = back_face_culling::area_after_division(c[0], c[1], c[2]);
+  const double area = back_face_culling::divided_area(c[0], c[1], c[2]);
   const auto behind = std::ranges::count_if(c, [](const glm::dvec4& at) { return at.w < 0; });
   const bool front = faced_.facing == back_face_culling::Facing::front;
   fine(views_.facing(), "Faced",
