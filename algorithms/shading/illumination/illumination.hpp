@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <type_traits>
@@ -173,24 +174,61 @@ Arrival<T> arriving(const Light& light, int k, glm::vec<3, T> place, Visible& vi
   return a;
 }
 
+/// One lamp of those that lights count as.
+struct Lamp {
+  const Light& light;
+  std::size_t number;  ///< the light's
+  int point;           ///< 0 but for areas
+  const LinearRgb& intensity = light.intensity;
+
+  /// What of it arrives at the place.
+  template <std::floating_point T, class Visible>
+  Arrival<T> at(glm::vec<3, T> place, Visible& visible) const {
+    return arriving(light, point, place, visible);
+  }
+  /// What is told of it once its parts are known.
+  template <class T, class Vec = glm::vec<3, T>>
+  LightAdded<T> added(const Arrival<T>& arrival, Vec mirror, T n_dot_l, T cosine, Vec diffuse,
+                      Vec specular) const {
+    return {number, point, arrival, mirror, n_dot_l, cosine, diffuse, specular};
+  }
+};
+
+/// The lamps of some lights, in their order, as a range.
+class Lamps {
+ public:
+  explicit Lamps(std::span<const Light> lights) : lights_(lights) {}
+
+  class Iterator {
+   public:
+    explicit Iterator(std::span<const Light> lights) : lights_(lights) {}
+    Lamp operator*() const { return {lights_[number_], number_, point_}; }
+    Iterator& operator++() {
+      if (++point_ < lamps(lights_[number_])) return *this;
+      point_ = 0;
+      ++number_;
+      return *this;
+    }
+    bool operator==(std::default_sentinel_t) const { return number_ == lights_.size(); }
+
+   private:
+    std::span<const Light> lights_;
+    std::size_t number_ = 0;
+    int point_ = 0;
+  };
+  Iterator begin() const { return Iterator(lights_); }
+  std::default_sentinel_t end() const { return {}; }
+
+ private:
+  std::span<const Light> lights_;
+};
+
+inline Lamps every(std::span<const Light> lights) { return Lamps(lights); }
+
 /// The direction in which light from `to_light` leaves a mirror with this normal: 2 (N.L) N - L.
 template <class T>
 glm::vec<3, T> reflected(glm::vec<3, T> normal, glm::vec<3, T> to_light) {
   return T(2) * glm::dot(normal, to_light) * normal - to_light;
-}
-
-/// The share of the light that is scattered: N.L, none from behind.
-template <std::floating_point T>
-T scattered(T n_dot_l) {
-  return n_dot_l > T(0) ? n_dot_l : T(0);
-}
-
-/// The share of the light in the highlight: cosine^n, none from behind and none where the cosine (R.V, or
-/// N.H) is not positive.
-template <std::floating_point T, class M>
-T mirrored(T n_dot_l, T cosine, const M& material) {
-  if (!(n_dot_l > T(0) && cosine > T(0)) || material.specular == ColourOf<M>{0}) return T(0);
-  return pow(cosine, T(material.shininess));
 }
 
 /// Nothing stands between a place and a lamp.
@@ -206,9 +244,9 @@ struct AllSeen {
 /// highlight has k_s and the light's colour, not the surface's. An area counts as samples^2 lamps.
 /// B. T. Phong, Illumination for computer generated pictures, Communications of the ACM 18(6), 1975, 311-317.
 ///
-/// place: on the surface. normal: of length 1, on the viewer's side; zero has no diffuse part and no
-///   highlight. eye: where the viewer stands. material: a Reflectance or what has its members. lights: see
-///   core/light.hpp. ambient: I_a. visible(place, L, d): whether light comes to the place from the direction
+/// place: on the surface. N: its normal, of length 1, on the viewer's side; zero has no diffuse part and no
+///   highlight. eye: where the viewer stands. k: a Reflectance or what has its members. lights: see
+///   core/light.hpp. ambient: I_a. seen(place, L, d): whether light comes to the place from the direction
 ///   L, of length 1, over the distance d, infinite for a directional light; asked once for each
 ///   lamp whose range and cone reach the place.
 ///
@@ -230,38 +268,38 @@ struct AllSeen {
 /// Errors: none.
 template <std::floating_point T, class M, class Visible,
           Observer<AmbientAdded<T>, LampTaken<T>, LightAdded<T>, Finished<T>> O = Unobserved>
-Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, const M& material,
-               std::span<const Light> lights, ColourOf<M> ambient, Visible&& visible, O&& observer = {}) {
+Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> N, glm::vec<3, T> eye, const M& k,
+               std::span<const Light> lights, ColourOf<M> ambient, Visible&& seen, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
   Vec diffuse{T(0)}, specular{T(0)};
-  // Light that comes from everywhere
-  auto even = material.ambient * ambient;
-  const Vec base(material.emission + even);
+  // Light from everywhere
+  auto even = k.ambient * ambient;
+  const Vec base(k.emission + even);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
-  const Vec v = unit_vector(eye - place);
-  const Vec kd(material.diffuse);
-  const Vec ks(material.specular);
-  std::size_t number = 0;
-  for (const Light& light : lights) {
-    const int m = lamps(light);
-    for (int p = 0; p < m; ++p) {
-      auto a =  // L, f: what arrives
-          arriving(light, p, place, visible);
-      if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
-      const Vec l = a.to_light;
-      const Vec r = reflected(normal, l);
-      const T nl = glm::dot(normal, l);
-      const T rv = glm::dot(r, v);
-      // Both parts; none from behind
-      const T f = a.share();
-      const Vec i = f * Vec(light.intensity);
-      const T k = scattered(nl);
-      const T s = mirrored(nl, rv, material);
-      diffuse += i * (k * kd);
-      specular += i * (s * ks);
-      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * (k * kd), i * (s * ks)});
+  auto V = unit_vector(eye - place);
+  const Vec kd(k.diffuse);
+  const Vec ks(k.specular);
+  const T n(k.shininess);
+  for (Lamp lamp : every(lights)) {
+    auto a = lamp.at(place, seen);
+    if constexpr (observed<O>) observer(LampTaken<T>{lamp.number, lamp.point, a});
+    const Vec L = a.to_light;
+    const Vec R = reflected(N, L);
+    const T NL = glm::dot(N, L);
+    const T RV = glm::dot(R, V);
+    // Both parts; none from behind
+    T d{0}, s{0};
+    if (NL > 0) {
+      d = NL;
+      if (RV > 0 && ks != Vec(0)) {
+        s = pow(RV, n);
+      }
     }
-    ++number;
+    const T f = a.share();
+    const Vec I(lamp.intensity);
+    diffuse += f * I * (d * kd);
+    specular += f * I * (s * ks);
+    if constexpr (observed<O>) observer(lamp.added(a, R, NL, RV, f * I * (d * kd), f * I * (s * ks)));
   }
   if constexpr (observed<O>) observer(Finished<T>{base, diffuse, specular});
   return {base, diffuse, specular};
@@ -269,40 +307,36 @@ Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, 
 
 /// The same where nothing stands between the place and the lamps.
 template <std::floating_point T, class M>
-Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, const M& material,
+Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> N, glm::vec<3, T> eye, const M& k,
                std::span<const Light> lights, ColourOf<M> ambient) {
-  return phong(place, normal, eye, material, lights, ambient, AllSeen{});
+  return phong(place, N, eye, k, lights, ambient, AllSeen{});
 }
 
 /// Phong's illumination of a surface without a highlight (k_s = 0), nothing standing between it and the
 /// lamps: what phong gives, without asking where the viewer stands.
 ///
-/// place, normal, material, lights, ambient: as for phong.
+/// place, N, k, lights, ambient: as for phong.
 ///
-/// Domain: as for phong; the material's k_s is 0.
+/// Domain: as for phong; k_s is 0.
 /// Steps: none.
 /// Accuracy: the bits of phong.
 /// Cost: a square root for each lamp.
 /// Errors: none.
 template <std::floating_point T, class M>
-Parts<T> matte(glm::vec<3, T> place, glm::vec<3, T> normal, const M& material, std::span<const Light> lights,
+Parts<T> matte(glm::vec<3, T> place, glm::vec<3, T> N, const M& k, std::span<const Light> lights,
                ColourOf<M> ambient) {
   using Vec = glm::vec<3, T>;
   Vec diffuse{T(0)};
-  // Light that comes from everywhere
-  auto even = material.ambient * ambient;
-  const Vec base(material.emission + even);
-  const Vec kd(material.diffuse);
-  AllSeen visible;
-  for (const Light& light : lights) {
-    const int m = lamps(light);
-    for (int p = 0; p < m; ++p) {
-      auto a =  // L, f: what arrives
-          arriving(light, p, place, visible);
-      const T nl = glm::dot(normal, a.to_light);
-      const Vec i = a.share() * Vec(light.intensity);
-      diffuse += i * (scattered(nl) * kd);
-    }
+  // Light from everywhere
+  auto even = k.ambient * ambient;
+  const Vec base(k.emission + even);
+  const Vec kd(k.diffuse);
+  AllSeen seen;
+  for (Lamp lamp : every(lights)) {
+    auto a = lamp.at(place, seen);
+    const T NL = glm::dot(N, a.to_light);
+    const T d = NL > 0 ? NL : T(0);
+    diffuse += a.share() * Vec(lamp.intensity) * (d * kd);
   }
   return {base, diffuse, Vec{T(0)}};
 }
@@ -311,7 +345,7 @@ Parts<T> matte(glm::vec<3, T> place, glm::vec<3, T> normal, const M& material, s
 /// about as wide as Phong's with a quarter of the exponent, and never cut off before the horizon.
 /// J. F. Blinn, Models of light reflection for computer synthesized pictures, SIGGRAPH 1977, 192-198.
 ///
-/// place, normal, eye, material, lights, ambient, visible: as for phong.
+/// place, N, eye, k, lights, ambient, seen: as for phong.
 ///
 /// Domain: as for phong. Where L = -V there is no highlight.
 /// Steps: as for phong, with H and N.H.
@@ -320,39 +354,38 @@ Parts<T> matte(glm::vec<3, T> place, glm::vec<3, T> normal, const M& material, s
 /// Errors: none.
 template <std::floating_point T, class M, class Visible,
           Observer<AmbientAdded<T>, LampTaken<T>, LightAdded<T>, Finished<T>> O = Unobserved>
-Parts<T> blinn_phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, const M& material,
-                     std::span<const Light> lights, ColourOf<M> ambient, Visible&& visible,
-                     O&& observer = {}) {
+Parts<T> blinn_phong(glm::vec<3, T> place, glm::vec<3, T> N, glm::vec<3, T> eye, const M& k,
+                     std::span<const Light> lights, ColourOf<M> ambient, Visible&& seen, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
   Vec diffuse{T(0)}, specular{T(0)};
-  // Light that comes from everywhere
-  auto even = material.ambient * ambient;
-  const Vec base(material.emission + even);
+  // Light from everywhere
+  auto even = k.ambient * ambient;
+  const Vec base(k.emission + even);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
-  const Vec v = unit_vector(eye - place);
-  const Vec kd(material.diffuse);
-  const Vec ks(material.specular);
-  std::size_t number = 0;
-  for (const Light& light : lights) {
-    const int m = lamps(light);
-    for (int p = 0; p < m; ++p) {
-      auto a =  // L, f: what arrives
-          arriving(light, p, place, visible);
-      if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
-      const Vec l = a.to_light;
-      const Vec h = unit_vector(l + v);
-      const T nl = glm::dot(normal, l);
-      const T nh = glm::dot(normal, h);
-      // Both parts; none from behind
-      const T f = a.share();
-      const Vec i = f * Vec(light.intensity);
-      const T k = scattered(nl);
-      const T s = mirrored(nl, nh, material);
-      diffuse += i * (k * kd);
-      specular += i * (s * ks);
-      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, h, nl, nh, i * (k * kd), i * (s * ks)});
+  auto V = unit_vector(eye - place);
+  const Vec kd(k.diffuse);
+  const Vec ks(k.specular);
+  const T n(k.shininess);
+  for (Lamp lamp : every(lights)) {
+    auto a = lamp.at(place, seen);
+    if constexpr (observed<O>) observer(LampTaken<T>{lamp.number, lamp.point, a});
+    const Vec L = a.to_light;
+    auto H = unit_vector(L + V);
+    const T NL = glm::dot(N, L);
+    const T NH = glm::dot(N, H);
+    // Both parts; none from behind
+    T d{0}, s{0};
+    if (NL > 0) {
+      d = NL;
+      if (NH > 0 && ks != Vec(0)) {
+        s = pow(NH, n);
+      }
     }
-    ++number;
+    const T f = a.share();
+    const Vec I(lamp.intensity);
+    diffuse += f * I * (d * kd);
+    specular += f * I * (s * ks);
+    if constexpr (observed<O>) observer(lamp.added(a, H, NL, NH, f * I * (d * kd), f * I * (s * ks)));
   }
   if constexpr (observed<O>) observer(Finished<T>{base, diffuse, specular});
   return {base, diffuse, specular};

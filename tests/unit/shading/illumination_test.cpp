@@ -60,7 +60,9 @@ TEST(Illumination, Goldens) {
     EXPECT_NEAR(golden({0, 0, 2}, {0, 0, 2}, plain)[k], 1, 1e-12);                        // G001-87
     EXPECT_NEAR(golden({3, 0, -4}, {-10, 0, 1.4}, exactly(0.7, 0.2, 1))[k], 0.1, 1e-12);  // G001-82
   }
-  EXPECT_EQ(mirrored(0.5, -1.0, exactly(0, 1, 2)), 0);  // G001-83
+  // G001-83: N.L = 0.5, R.V = -1
+  const double far = std::sqrt(3.0);
+  EXPECT_EQ(at_origin(right, {lamp({far, 0, 1})}, {far, 0, -1}, exactly(0, 1, 2)).specular, dvec3{0});
   const dvec3 red = golden({0, 3, 4}, {0, -3, 4}, exactly(0.7, 0.2, 10, {1, 0, 0}));
   EXPECT_NEAR(glm::distance(red, dvec3{0.86, 0.2, 0.2}), 0, 1e-12);  // G001-84
 }
