@@ -83,13 +83,13 @@ class Textures {
         return texture_mapping::Corner<double>{c.over_w, c.texture};
       };
       const auto& [a, b, c] = t.corners;
-      planes_ = over_w_planes(on_grid(snapped(in_picture(t, picture_))),
-                              texture_mapping::Corners<double>{at(a), at(b), at(c)});
+      const auto over_w = texture_mapping::over_w<double>({at(a), at(b), at(c)});
+      planes_.emplace(on_grid(snapped(in_picture(t, picture_))), over_w);
       triangle_ = f.triangle;
     }
     // The shares are those on the surface: 1/w is the harmonic mean
     const double w = glm::dot(f.weights, 1.0 / over_w_of(t));
-    return texture_mapping::footprint_of(*planes_, 1 / w, uv);
+    return planes_->area(1 / w, uv);
   }
 
   TextureFilter filter_;

@@ -23,6 +23,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/pixels.hpp"
 
 namespace gradus::texture_mapping {
 
@@ -152,11 +153,11 @@ inline void expect_lookup(dvec2 uv, const Extent& texture) {
 }
 
 /// Where (u, v) lies among the middles of texels, and the four round about.
-struct Neighbours {
+struct Middles {
   dvec2 parts;
   std::array<ivec2, 4> texels;
 };
-inline Neighbours neighbours(dvec2 uv, const Extent& texture) {
+inline Middles middles(dvec2 uv, const Extent& texture) {
   // Texels have their middles at 1/2, 3/2, ...
   const dvec2 place = uv * dvec2(texture.size) - 0.5;
   const dvec2 cell{std::floor(place.x), std::floor(place.y)};
@@ -191,10 +192,10 @@ Colour nearest(dvec2 uv, const Extent& texture, Texel&& texel, O&& observer = {}
   expect_lookup(uv, texture);
   // The cell that holds the place
   const ivec2 count = texture.size;
-  const auto i = cell_of(uv.x, count.x);
-  const auto j = cell_of(uv.y, count.y);
-  // Beyond the border it is another one
-  const ivec2 at = texel_in(i, j, texture);
+  auto i = cell_of(uv.x, count.x);
+  auto j = cell_of(uv.y, count.y);
+  // Beyond the border another one
+  auto at = texel_in(i, j, texture);
   const Colour colour = texel(at);
   if constexpr (observed<O>) observer(Picked<Colour>{uv, at, colour});
   return colour;
@@ -216,15 +217,16 @@ template <class Texel, class Colour = std::invoke_result_t<Texel&, ivec2>,
           Observer<Blended<Colour>> O = Unobserved>
 Colour bilinear(dvec2 uv, const Extent& texture, Texel&& texel, O&& observer = {}) {
   expect_lookup(uv, texture);
-  auto [t, at] = neighbours(uv, texture);
-  const auto c = colours_of(at, texel);
+  auto four = middles(uv, texture);
+  const auto [t, at] = four;
+  auto c = colours_of(at, texel);
   // Along u, in both rows
-  const auto below = lerp(c[0], c[1], t.x);
-  const auto above = lerp(c[2], c[3], t.x);
+  auto low = lerp(c[0], c[1], t.x);
+  auto high = lerp(c[2], c[3], t.x);
   // Along v
-  const auto colour = lerp(below, above, t.y);
-  if constexpr (observed<O>) observer(Blended<Colour>{uv, texture.size, t, at, c, colour});
-  return colour;
+  auto mix = lerp(low, high, t.y);
+  if constexpr (observed<O>) observer(Blended<Colour>{uv, texture.size, t, at, c, mix});
+  return mix;
 }
 
 // --- Levels ------------------------------------------------------
@@ -308,13 +310,22 @@ Colour covered_mean(ivec2 at, ivec2 size, Texel&& texel) {
   return first + sum / T(size.x * size.y);
 }
 
+/// Of each texel of a level what it covers in the one before, level k.
+template <class Colour>
+auto means(const MipChain<Colour>& chain, int k) {
+  return [size = chain.size(k), texels = chain.level(k)](ivec2 at) { return covered_mean(at, size, texels); };
+}
+
+/// The texels of a level, row by row from the top.
+constexpr auto texels_of(ivec2 size) { return pixels({{0, 0}, size - 1}); }
+
 /// Builds the levels of a texture: each texel is the mean of those that it covers in the level before (a box
 /// filter). Colours are to be linear, so that the mean is that of the light.
 /// Source: L. Williams, Pyramidal parametrics, SIGGRAPH 1983, 1-11; sizes that are no powers of two as in
 /// NVIDIA, Non-power-of-two mipmap creation, 2005.
 ///
-/// size: columns and rows. texel(ivec2) gives the colour in a column and a row. chain: the caller's, as long
-///   as texels_of_chain(size) says; takes the texture and its levels.
+/// size: columns and rows. texel(ivec2) gives the colour in a column and a row. all: the caller's, as long as
+///   texels_of_chain(size) says; takes the texture and its levels.
 ///
 /// Domain: 1 to 2^15 columns and rows; finite colours.
 /// Steps: Averaged for every texel of every level after the first, row by row.
@@ -324,27 +335,22 @@ Colour covered_mean(ivec2 at, ivec2 size, Texel&& texel) {
 /// Cost: four to nine texels for each of the chain, which has a third more than the texture.
 /// Errors: ContractViolation for sizes outside the domain, or a chain of another length.
 template <class Texel, class Colour, Observer<Averaged<Colour>> O = Unobserved>
-void build_mip_chain(ivec2 size, Texel&& texel, std::span<Colour> chain, O&& observer = {}) {
-  const MipChain<Colour> built(size, chain);
-  auto next = chain.begin();
+void build_mip_chain(ivec2 size, Texel&& texel, std::span<Colour> all, O&& observer = {}) {
+  MipChain<Colour> chain(size, all);
+  auto next = all.begin();
   // Level 0 is the texture itself
-  for (int y = 0; y < size.y; ++y) {
-    for (int x = 0; x < size.x; ++x) {
-      *next++ = texel(ivec2{x, y});
-    }
+  for (ivec2 p : texels_of(size)) {
+    *next++ = texel(p);
   }
-  for (int k = 1; k < built.levels(); ++k) {
-    const auto before = built.level(k - 1);
-    const auto from = built.size(k - 1);
-    const auto to = built.size(k);
-    for (int y = 0; y < to.y; ++y) {
-      for (int x = 0; x < to.x; ++x) {
-        const ivec2 at{x, y};
-        auto mean =  // of what it covers
-            covered_mean(at, from, before);
-        *next++ = mean;
-        if constexpr (observed<O>) observer(Averaged<Colour>{k, at, mean});
-      }
+  const int n = chain.levels();
+  for (int k = 1; k < n; ++k) {
+    // Of the texels that one covers
+    auto mean = means(chain, k - 1);
+    const ivec2 to = chain.size(k);
+    for (ivec2 p : texels_of(to)) {
+      const Colour m = mean(p);
+      *next++ = m;
+      if constexpr (observed<O>) observer(Averaged<Colour>{k, p, m});
     }
   }
 }
@@ -379,8 +385,8 @@ inline Level level_of(double length, int levels) {
 /// that no more than a few texels meet a pixel.
 /// Source: L. Williams, Pyramidal parametrics, SIGGRAPH 1983, 1-11.
 ///
-/// uv: texture coordinates. footprint: how far they go from pixel to pixel. chain: from build_mip_chain.
-///   wrap: what lies beyond the texture.
+/// uv: texture coordinates. area: how far they go from pixel to pixel. chain: from build_mip_chain. wrap:
+///   what lies beyond the texture.
 ///
 /// Domain: as for bilinear.
 /// Steps: LevelChosen Blended (Blended LevelsMixed)?, the latter where the side of the footprint isn't the
@@ -390,28 +396,28 @@ inline Level level_of(double length, int levels) {
 /// Cost: four or eight texels and a logarithm, however large the footprint.
 /// Errors: as for nearest.
 template <class Colour, Observer<LevelChosen, Blended<Colour>, LevelsMixed<Colour>> O = Unobserved>
-Colour mip_mapped(dvec2 uv, const Footprint<double>& footprint, const MipChain<Colour>& chain,
+Colour mip_mapped(dvec2 uv, const Footprint<double>& area, const MipChain<Colour>& chain,
                   Wrap wrap = Wrap::repeat, O&& observer = {}) {
   const ivec2 size = chain.size();
-  const double length =  // in texels
-      longer_side(footprint, size);
+  // Its longer side, in texels
+  auto d = longer_side(area, size);
   // Texels as long as the footprint
-  const int count = chain.levels();
-  auto level = level_of(length, count);
-  if constexpr (observed<O>) observer(LevelChosen{footprint, length, level});
-  const auto look_up = [&](int k) {
-    const Extent texels{chain.size(k), wrap};
-    return bilinear(  // among its texels
-        uv, texels, chain.level(k), observer);
+  const int n = chain.levels();
+  auto level = level_of(d, n);
+  if constexpr (observed<O>) observer(LevelChosen{area, d, level});
+  auto in = [&](int k) {
+    Extent of{chain.size(k), wrap};
+    auto texel = chain.level(k);
+    return bilinear(uv, of, texel, observer);
   };
-  const auto finer = look_up(level.lower);
-  if (level.part == 0) return finer;
+  const auto [k, t] = level;
+  auto fine = in(k);
+  if (t == 0) return fine;
   // Between two levels
-  auto coarser = look_up(level.lower + 1);
-  const double part = level.part;
-  auto colour = lerp(finer, coarser, part);
-  if constexpr (observed<O>) observer(LevelsMixed<Colour>{level, finer, coarser, colour});
-  return colour;
+  auto coarse = in(k + 1);
+  auto mix = lerp(fine, coarse, t);
+  if constexpr (observed<O>) observer(LevelsMixed<Colour>{level, fine, coarse, mix});
+  return mix;
 }
 
 }  // namespace gradus::texture_mapping

@@ -12,6 +12,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/tally.hpp"
 #include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
 #include "shading/texture_mapping/texture_filters.hpp"
 
@@ -46,6 +47,18 @@ struct Finished {
   std::int64_t pixels;
 };
 
+/// Counts the pixels.
+struct Pixels {
+  std::int64_t pixels = 0;
+
+  template <class T>
+  const Mapped<T>& operator()(const Mapped<T>& step) {
+    ++pixels;
+    return step;
+  }
+  Finished operator()(Finished) const { return {pixels}; }
+};
+
 // --- Triangles ---------------------------------------------------
 
 /// Values that are linear in the picture: from those at the corners to those at pixels, and how they grow.
@@ -54,7 +67,7 @@ class Planes {
  public:
   using Values = glm::vec<3, T>;
 
-  Planes(const Triangle& triangle, const std::array<Values, 3>& corners) : corners_(corners) {
+  Planes(const Triangle& triangle, const std::array<glm::vec<3, T>, 3>& corners) : corners_(corners) {
     using triangle_coverage::doubled_area, triangle_coverage::subpixels;
     const std::int64_t area = doubled_area(triangle);
     if (area == 0) return;
@@ -69,6 +82,14 @@ class Planes {
 
   /// At the centre with these weights.
   Values at(const Weights& e) const { return mean(e, T(e[0] + e[1] + e[2])); }
+  /// Of 1/w, u/w and v/w: how far (u, v) = (u/w, v/w) / (1/w) goes from pixel to pixel, by the rule for
+  /// quotients.
+  Footprint<T> area(T over_w, Uv<T> uv) const {
+    const auto along = [&](const Values& growth) {
+      return (Uv<T>(growth.y, growth.z) - growth.x * uv) / over_w;
+    };
+    return {along(along_x), along(along_y)};
+  }
 
   Values along_x{T(0)}, along_y{T(0)};  ///< what they grow by from a pixel to the next
 
@@ -80,22 +101,13 @@ class Planes {
   std::array<Values, 3> corners_;
 };
 
-/// 1/w, u/w and v/w as planes over the picture.
+/// What is linear in the picture: 1/w, u/w and v/w at the corners.
 template <class T>
-Planes<T> over_w_planes(const Triangle& triangle, const Corners<T>& corners) {
+std::array<glm::vec<3, T>, 3> over_w(const Corners<T>& corners) {
   const auto at = [](const Corner<T>& c) {
     return glm::vec<3, T>(c.over_w, c.over_w * c.uv.x, c.over_w * c.uv.y);
   };
-  return {triangle, {at(corners[0]), at(corners[1]), at(corners[2])}};
-}
-
-/// How far (u, v) = (u/w, v/w) / (1/w) goes from pixel to pixel, by the rule for quotients.
-template <class T>
-Footprint<T> footprint_of(const Planes<T>& planes, T over_w, Uv<T> uv) {
-  const auto along = [&](const glm::vec<3, T>& growth) {
-    return (Uv<T>(growth.y, growth.z) - growth.x * uv) / over_w;
-  };
-  return {along(planes.along_x), along(planes.along_y)};
+  return {at(corners[0]), at(corners[1]), at(corners[2])};
 }
 
 template <class T>
@@ -126,22 +138,21 @@ template <class T, class Plot, Observer<Mapped<T>, Finished> O = Unobserved>
 void perspective_correct(const Triangle& triangle, const Corners<T>& corners, const Window& window,
                          Plot&& plot, O&& observer = {}) {
   expect_corners(corners);
-  auto planes =  // of 1/w, u/w and v/w
-      over_w_planes(triangle, corners);
-  std::int64_t pixels = 0;
-  const auto map = [&](ivec2 pixel, auto& e) {
-    // Linear in the picture: 1/w, u/w, v/w
-    const auto linear = planes.at(e);
-    const T q = linear.x;
+  Tally<O, Pixels> tally(observer);
+  // At the corners 1/w, u/w and v/w
+  auto given = over_w(corners);
+  Planes planes(triangle, given);
+  auto map = [&](ivec2 p, auto& e) {
+    // Linear in the picture
+    const auto v = planes.at(e);
+    const T q = v.x;
     // Divided: u and v
-    Uv<T> uv{linear.y / q, linear.z / q};
-    if constexpr (observed<O>) observer(Mapped<T>{pixel, e, linear, uv});
-    auto area = footprint_of(planes, q, uv);
-    plot(pixel, uv, area);
-    ++pixels;
+    Uv<T> uv{v.y / q, v.z / q};
+    if constexpr (observed<O>) observer(tally.count(Mapped<T>{p, e, v, uv}));
+    plot(p, uv, planes.area(q, uv));
   };
   cover(triangle, window, map);
-  if constexpr (observed<O>) observer(Finished{pixels});
+  if constexpr (observed<O>) observer(tally.count(Finished{0}));
 }
 
 }  // namespace gradus::texture_mapping

@@ -238,7 +238,7 @@ class Story {
   }
   /// The texels round the place, the one that holds it among them.
   Decision which_texel(dvec2 uv, ivec2 taken) const {
-    const auto [parts, four] = neighbours(uv, subject_.texture);
+    const auto [parts, four] = middles(uv, subject_.texture);
     Decision decision{words_.say("question.nearest"), {}, 0, "texel"};
     for (const ivec2 texel : four) {
       if (texel == taken) decision.answer = decision.answers.size();
