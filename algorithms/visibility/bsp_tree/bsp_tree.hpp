@@ -257,6 +257,22 @@ std::size_t add_node(Tree<T>& tree, const Subspace<T>& space) {
   return node;
 }
 
+/// The plane of a node, which parts others: how it lies to them is told by `side`.
+template <class T, class SideOf>
+class Cutter {
+ public:
+  Cutter(const Node<T>& node, const SideOf& side) : plane_(node.plane), side_(side) {}
+
+  auto sides(const Polygon<T>& polygon) const { return bsp_tree::sides(plane_, polygon, side_); }
+  Parts<T> operator()(const Polygon<T>& polygon, std::span<const int> sides) const {
+    return split(plane_, polygon, sides);
+  }
+
+ private:
+  const Plane<T> plane_;
+  const SideOf& side_;
+};
+
 /// What is reported of a new node.
 template <class T>
 PlaneTaken<T> taken(const Tree<T>& tree, std::size_t node, const Subspace<T>& space) {
@@ -273,7 +289,7 @@ std::size_t polygon_count(const Tree<T>& tree) {
 
 /// Takes the last one off a list of things to do.
 template <class Item>
-Item taken_from(std::vector<Item>& list) {
+Item pop(std::vector<Item>& list) {
   Item item = std::move(list.back());
   list.pop_back();
   return item;
@@ -300,33 +316,34 @@ Item taken_from(std::vector<Item>& list) {
 template <class T, class SideOf = ExactSide,
           Observer<PlaneTaken<T>, Placed<T>, Split<T>, Built> O = Unobserved>
 Tree<T> build(const std::vector<Polygon<T>>& polygons, const SideOf& side = {}, O&& observer = {}) {
+  using enum Side;
   Tree<T> tree;
   auto rest = whole_space(polygons);
   while (!rest.empty()) {
-    const auto space = taken_from(rest);
+    auto space = pop(rest);
     if (space.empty()) continue;
-    // The first one's plane parts the others
-    const auto node = add_node(tree, space);
-    const Plane<T> plane = tree[node].plane;
-    if constexpr (observed<O>) observer(taken(tree, node, space));
-    Subspace<T> front{node, true};
-    Subspace<T> back{node, false};
-    for (const auto& p : space.others()) {
-      const auto on = sides(plane, p, side);
+    // The first parts the others
+    auto n = add_node(tree, space);
+    Cutter cut(tree[n], side);
+    if constexpr (observed<O>) observer(taken(tree, n, space));
+    Subspace<T> front{n, true};
+    Subspace<T> back{n, false};
+    for (auto& p : space.others()) {
+      auto on = cut.sides(p);
       const Side at = side_of(on);
-      if constexpr (observed<O>) observer(Placed<T>{node, p, at});
-      if (at == Side::in_front) {
+      if constexpr (observed<O>) observer(Placed<T>{n, p, at});
+      if (at == in_front) {
         front.add(p);
-      } else if (at == Side::behind) {
+      } else if (at == behind) {
         back.add(p);
-      } else if (at == Side::in_plane) {
-        add_to_node(tree, node, p);
+      } else if (at == in_plane) {
+        add_to_node(tree, n, p);
       } else {
         // Cut along the plane
-        const auto cut = split(plane, p, on);
-        if constexpr (observed<O>) observer(Split<T>{node, cut.in_front, cut.behind});
-        front.add(cut.in_front);
-        back.add(cut.behind);
+        auto [f, b] = cut(p, on);
+        if constexpr (observed<O>) observer(Split<T>{n, f, b});
+        front.add(f);
+        back.add(b);
       }
     }
     rest.push_back(back);
@@ -371,9 +388,14 @@ struct Turn {
   bool own = false;
 };
 
+/// The whole tree.
 template <class T>
-Turn root_of(const Tree<T>& tree) {
-  return {tree.empty() ? none : 0};
+std::vector<Turn> first_turn(const Tree<T>& tree) {
+  return {{tree.empty() ? none : 0}};
+}
+
+inline void push(std::vector<Turn>& turns, std::size_t node, bool own = false) {
+  turns.push_back({node, own});
 }
 
 /// Those in a node's plane, the first of which is to be seen.
@@ -408,25 +430,25 @@ std::size_t far_side(const Node<T>& node, int side) {
 /// Errors: none.
 template <class T, class Draw, Observer<Visited, Drawn<T>> O = Unobserved>
 void back_to_front(const Tree<T>& tree, const Eye<T>& eye, Draw&& draw, O&& observer = {}) {
-  std::vector<Turn> turns{root_of(tree)};
+  auto turns = first_turn(tree);
   while (!turns.empty()) {
-    const auto [at, own] = taken_from(turns);
+    auto [at, own] = pop(turns);
     if (at == none) continue;
-    const auto& node = tree[at];
+    const auto& n = tree[at];
     if (own) {
-      // All beyond its plane is drawn
-      for (const auto& p : reversed(node)) {
+      // All beyond it is drawn
+      for (auto& p : reversed(n)) {
         draw(p);
         if constexpr (observed<O>) observer(Drawn<T>{at, p});
       }
       continue;
     }
-    const int side = eye_side(node, eye);
+    int side = eye_side(n, eye);
     if constexpr (observed<O>) observer(Visited{at, side});
-    // The eye's side last, the other first
-    turns.push_back({near_side(node, side)});
-    turns.push_back({at, true});
-    turns.push_back({far_side(node, side)});
+    // The eye's own side comes last
+    push(turns, near_side(n, side));
+    push(turns, at, true);
+    push(turns, far_side(n, side));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -73,61 +74,13 @@ struct Drawn {
 /// All are drawn.
 struct Finished {};
 
-// --- The six tests
-
-/// Whether two pieces have no inner place in common in an order of the screen.
-template <class T, class Order>
-bool part(const Extent<T>& p, const Extent<T>& q, const Order& order) {
-  return order(p.last, q.first) <= 0 || order(q.last, p.first) <= 0;
-}
-
-/// Whether the plane through the eye and some edge of P has P on one side and Q on the other. P must lie on
-/// its side: between corners that rounding has put together an edge may run anywhere.
-template <class T>
-bool edge_parts(const Piece<T>& p, const Piece<T>& q, const Eye<T>& eye) {
-  const auto& corners = p.polygon.corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto &a = corners[i], &b = corners[(i + 1) % corners.size()];
-    const auto side = [&](const auto& c) {
-      if (c == a || c == b) return 0;  // an end of the edge
-      return p.eye_side * bsp_tree::side_of_eye(Plane<T>{a, b, c}, eye);
-    };
-    const auto inside = [&](const auto& c) { return side(c) > 0; };
-    const auto within = [&](const auto& c) { return side(c) >= 0; };
-    if (std::ranges::none_of(q.polygon.corners, inside) && std::ranges::all_of(corners, within) &&
-        std::ranges::any_of(corners, inside))
-      return true;
-  }
-  return false;
-}
-
-/// The first of the tests that shows that P can't cover Q, as drawn before it.
-template <class T>
-Test tested(const Piece<T>& p, const Piece<T>& q, const View<T>& view) {
-  const auto& [eye, right, up, forward] = view;
-  // Q ends before P begins
-  if (compare_depths(forward, p.depths.first, q.depths.last) >= 0) return Test::depths;
-  // Extents on the screen
-  const auto aside = [&](auto& a, auto& b) { return turn_about(up, eye, a, b); };
-  if (part(p.across, q.across, aside)) return Test::across;
-  const auto above = [&](auto& a, auto& b) { return turn_about(right, eye, a, b); };
-  if (part(p.upright, q.upright, above)) return Test::upright;
-  // Planes
-  if (!beside(p, q).before) return Test::behind;
-  if (!beside(q, p).beyond) return Test::in_front;
-  // Projections
-  if (edge_parts(p, q, eye)) return Test::apart;
-  if (edge_parts(q, p, eye)) return Test::apart;
-  return Test::failed;
-}
+// --- Moves and cuts
 
 /// Whether Q can't cover P: it lies behind its plane, or P in front of its own.
 template <class T>
 bool can_go_first(const Piece<T>& q, const Piece<T>& p) {
   return !beside(q, p).before || !beside(p, q).beyond;
 }
-
-// --- Moves and cuts
 
 /// Whether P may cover Q.
 constexpr bool failed(Test test) { return test == Test::failed; }
@@ -174,13 +127,25 @@ Crossing first_cut(const List<T>& list, std::size_t q) {
 
 /// Puts the two parts of a piece that a plane cuts last in the list, in its place.
 template <class T>
-Cut<T> cut(List<T>& list, std::size_t plane, std::size_t piece, const View<T>& view) {
-  auto parts = parts_of(list[piece], list[plane], view);
+void cut(List<T>& list, const Crossing& at, const View<T>& view) {
+  auto parts = parts_of(list[at.piece], list[at.plane], view);
   for (Piece<T>& part : parts) part.moved = true;
-  Cut<T> done{list[plane].polygon, list[piece].polygon, parts[0].polygon, parts[1].polygon};
-  list.erase(list.begin() + static_cast<std::ptrdiff_t>(piece));
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(at.piece));
   list.insert(list.end(), parts.begin(), parts.end());
-  return done;
+}
+
+/// What is reported of that, before.
+template <class T>
+Cut<T> cut_of(const List<T>& list, const Crossing& at, const View<T>& view) {
+  const auto parts = parts_of(list[at.piece], list[at.plane], view);
+  return {list[at.plane].polygon, list[at.piece].polygon, parts[0].polygon, parts[1].polygon};
+}
+
+/// Puts them back where they belong, and reports that.
+template <class T, class O>
+void put_back(List<T>& list, const View<T>& view, O& observer) {
+  const auto back = put_back(list, view);
+  if constexpr (observed<O>) observer(Inserted<T>{back});
 }
 
 /// A list to be drawn by planes, or, of `ready` ones, as it stands.
@@ -205,7 +170,7 @@ template <class T, class Draw, class O>
 [[gnu::noinline]] void draw_by_planes(List<T> list, const View<T>& view, Draw&& draw, O&& observer) {
   std::vector<Rest<T>> rest{{std::move(list)}};
   while (!rest.empty()) {
-    Rest<T> next = bsp_tree::taken_from(rest);
+    Rest<T> next = bsp_tree::pop(rest);
     if (next.ready) {
       for (const Piece<T>& q : next.list) {
         draw(q.polygon);
@@ -247,7 +212,7 @@ void draw_rest(List<T>& list, const View<T>& view, Draw&& draw, O&& observer) {
 /// Source: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem, ACM National
 /// Conference 1972, 443-450: the order that their tests begin with.
 ///
-/// polygons, view: as newell. draw(polygon): takes each polygon once.
+/// all, view: as newell. draw(polygon): takes each polygon once.
 ///
 /// Domain: as newell.
 /// Steps: Sorted Drawn* Finished
@@ -256,15 +221,15 @@ void draw_rest(List<T>& list, const View<T>& view, Draw&& draw, O&& observer) {
 /// Cost: n log n comparisons of a few ns, and some 200 ns a polygon before.
 /// Errors: as newell.
 template <class T, class Draw, Observer<Sorted<T>, Drawn<T>, Finished> O = Unobserved>
-void farthest_vertex(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw&& draw,
+void farthest_vertex(const std::vector<Polygon<T>>& all, const View<T>& view, Draw&& draw,
                      O&& observer = {}) {
   // The farthest last
-  auto list = pieces_of(polygons, view);
-  const auto count = sort(list, view);
-  if constexpr (observed<O>) observer(Sorted<T>{order_of(list), count});
+  auto list = pieces_of(all, view);
+  sort(list, view);
+  if constexpr (observed<O>) observer(Sorted<T>{order_of(list), comparisons(all, view)});
   while (!list.empty()) {
-    // No test: the next one is drawn
-    const auto p = list.back().polygon;
+    // No test: the next is drawn
+    auto p = list.back().polygon;
     list.pop_back();
     draw(p);
     if constexpr (observed<O>) observer(Drawn<T>{p});
@@ -278,7 +243,8 @@ void farthest_vertex(const std::vector<Polygon<T>>& polygons, const View<T>& vie
 /// Source: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem, ACM National
 /// Conference 1972, 443-450; J. D. Foley et al., Computer Graphics, 2nd ed. 1990, 673-675.
 ///
-/// polygons: convex, each in one plane, in any order. view: the eye, a point or infinitely far away, and the
+/// all: polygons, convex, each in one plane, in any order. view: the eye, a point or infinitely far away, and
+/// the
 ///   screen. draw(polygon): takes each polygon, whole or in parts, once.
 ///
 /// Domain: as bsp_tree::build: polygons may touch, pierce each other, overlap in a cycle and stand twice in
@@ -297,35 +263,27 @@ void farthest_vertex(const std::vector<Polygon<T>>& polygons, const View<T>& vie
 template <class T, class Draw,
           Observer<Sorted<T>, Taken<T>, Compared<T>, Moved<T>, Cut<T>, Inserted<T>, Drawn<T>, Finished> O =
               Unobserved>
-void newell(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw&& draw, O&& observer = {}) {
+void newell(const std::vector<Polygon<T>>& all, const View<T>& view, Draw&& draw, O&& observer = {}) {
   // The farthest last
-  auto list = pieces_of(polygons, view);
-  const auto count = sort(list, view);
-  if constexpr (observed<O>) observer(Sorted<T>{order_of(list), count});
+  auto list = pieces_of(all, view);
+  sort(list, view);
+  if constexpr (observed<O>) observer(Sorted<T>{order_of(list), comparisons(all, view)});
   while (!list.empty()) {
     const auto p = list.back();
     if constexpr (observed<O>) observer(Taken<T>{p.polygon, list.size() - 1});
     // Which Q may P cover?
-    std::size_t covered = none;
-    for (auto i = list.size() - 1; i-- > 0;) {
-      const auto& q = list[i];
-      const Test test = tested(p, q, view);
-      if constexpr (observed<O>) observer(Compared<T>{p.polygon, q.polygon, test, ends(test, q)});
-      if (failed(test)) covered = i;
-      if (ends(test, q)) break;
-    }
-    auto [k, r] = first_cut(list, covered);
-    if (moves(list, covered)) {
+    auto q = covered(list, view, observer);
+    auto at = first_cut(list, q);
+    if (moves(list, q)) {
       // Q goes first
-      move_to_end(list, covered);
+      move_to_end(list, q);
       if constexpr (observed<O>) observer(Moved<T>{p.polygon, list.back().polygon});
-    } else if (r != none) {
-      // A plane cuts what can't be ordered
-      const auto done = cut(list, k, r, view);
-      if constexpr (observed<O>) observer(done);
-      const auto back = put_back(list, view);
-      if constexpr (observed<O>) observer(Inserted<T>{back});
-    } else if (covered != none) {
+    } else if (at.plane != none) {
+      // No order will do: a cut
+      if constexpr (observed<O>) observer(cut_of(list, at, view));
+      cut(list, at, view);
+      put_back(list, view, observer);
+    } else if (q != none) {
       // Rounding has closed a cycle
       draw_rest(list, view, draw, observer);
     } else {
@@ -336,6 +294,100 @@ void newell(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw&&
     }
   }
   if constexpr (observed<O>) observer(Finished{});
+}
+
+/// The numbers of the list before the last one, from the last to the first.
+template <class T>
+auto before_last(const List<T>& list) {
+  return std::views::iota(std::size_t{0}, list.size() - 1) | std::views::reverse;
+}
+
+/// Of those that P, the last in the list, may cover: the one that is to be drawn before it; none where it
+/// covers none.
+template <class T, class O>
+std::size_t covered(const List<T>& list, const View<T>& view, O& observer) {
+  const auto& p = list.back();
+  auto found = none;
+  for (auto i : before_last(list)) {
+    const auto& q = list[i];
+    auto test = tested(p, q, view);
+    if constexpr (observed<O>) observer(Compared<T>{p.polygon, q.polygon, test, ends(test, q)});
+    if (failed(test)) found = i;
+    if (ends(test, q)) break;
+  }
+  return found;
+}
+
+// --- The six tests
+
+/// Whether two pieces have no inner place in common in an order of the screen.
+template <class T, class Order>
+bool part(const Extent<T>& p, const Extent<T>& q, const Order& order) {
+  return order(p.last, q.first) <= 0 || order(q.last, p.first) <= 0;
+}
+
+/// Whether Q ends where P begins, or before.
+template <class T>
+bool past(const Piece<T>& p, const Piece<T>& q, const View<T>& view) {
+  return compare_depths(view.forward, p.depths.first, q.depths.last) >= 0;
+}
+
+/// Whether they lie side by side on the screen; whether one lies above the other.
+template <class T>
+bool aside(const Piece<T>& p, const Piece<T>& q, const View<T>& view) {
+  return part(p.across, q.across, [&](auto& a, auto& b) { return turn_about(view.up, view.eye, a, b); });
+}
+template <class T>
+bool over(const Piece<T>& p, const Piece<T>& q, const View<T>& view) {
+  return part(p.upright, q.upright, [&](auto& a, auto& b) { return turn_about(view.right, view.eye, a, b); });
+}
+
+/// Whether P lies beyond the plane of Q, seen from the eye; whether Q lies before that of P.
+template <class T>
+bool beyond(const Piece<T>& p, const Piece<T>& q) {
+  return !beside(p, q).before;
+}
+template <class T>
+bool before(const Piece<T>& q, const Piece<T>& p) {
+  return !beside(q, p).beyond;
+}
+
+/// Whether the plane through the eye and some edge of P has P on one side and Q on the other. P must lie on
+/// its side: between corners that rounding has put together an edge may run anywhere.
+template <class T>
+bool parted(const Piece<T>& p, const Piece<T>& q, const View<T>& view) {
+  const auto& corners = p.polygon.corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const auto side = [&](const auto& c) {
+      if (c == a || c == b) return 0;  // an end of the edge
+      return p.eye_side * bsp_tree::side_of_eye(Plane<T>{a, b, c}, view.eye);
+    };
+    const auto inside = [&](const auto& c) { return side(c) > 0; };
+    const auto within = [&](const auto& c) { return side(c) >= 0; };
+    if (std::ranges::none_of(q.polygon.corners, inside) && std::ranges::all_of(corners, within) &&
+        std::ranges::any_of(corners, inside))
+      return true;
+  }
+  return false;
+}
+
+/// The first of the tests that shows that P can't cover Q, as drawn before it. s: the view.
+template <class T>
+Test tested(const Piece<T>& p, const Piece<T>& q, const View<T>& s) {
+  using enum Test;
+  // Q ends before P begins
+  if (past(p, q, s)) return depths;
+  // Extents on the screen
+  if (aside(p, q, s)) return across;
+  if (over(p, q, s)) return upright;
+  // Planes
+  if (beyond(p, q)) return behind;
+  if (before(q, p)) return in_front;
+  // Projections
+  if (parted(p, q, s)) return apart;
+  if (parted(q, p, s)) return apart;
+  return failed;
 }
 
 }  // namespace gradus::painter

@@ -206,6 +206,16 @@ std::size_t sort(List<T>& list, const View<T>& view) {
   return merge_sort(list, [&](const Piece<T>& p, const Piece<T>& q) { return belongs_before(p, q, view); });
 }
 
+/// How many comparisons sorting them takes, as above or by something else.
+template <class T, class... By>
+std::size_t comparisons(const std::vector<Polygon<T>>& polygons, const View<T>& view, const By&... by) {
+  auto list = pieces_of(polygons, view);
+  if constexpr (sizeof...(By) == 0)
+    return sort(list, view);
+  else
+    return sort_by(list, by...);
+}
+
 /// Moves a piece to another place in the list; those between make room.
 template <class T>
 void move_piece(List<T>& list, std::size_t from, std::size_t to) {

@@ -13,6 +13,14 @@ extern "C" {
 void machine_code_newell(const Polygons& polygons, const View<double>& view) {
   newell(polygons, view, draw_polygon);
 }
+std::size_t machine_code_covered(const List<double>& list, const View<double>& view) {
+  gradus::Unobserved nobody;
+  return covered(list, view, nobody);
+}
+void machine_code_put_back(List<double>& list, const View<double>& view) {
+  gradus::Unobserved nobody;
+  put_back(list, view, nobody);
+}
 void machine_code_draw_by_planes(const List<double>& list, const View<double>& view) {
   draw_by_planes(list, view, draw_polygon, gradus::Unobserved{});
 }

@@ -172,7 +172,7 @@ TEST(Painter, ALongWallInFrontOfASmallOne) {
   const View<double> view = view_along(Eye<double>{0, 0, 0, 1}, dvec3{0, 0, 1}, dvec3{0, 1, 0});
   EXPECT_EQ(drawn_by(by_newell, walls, view), (Order{1, 0}));
   EXPECT_EQ(drawn_by(by_centroid, walls, view), (Order{0, 1})) << "the notes paint B over A";
-  const auto distance = [&](std::size_t i) { return std::sqrt(far_from(view.eye, mean(walls[i]))); };
+  const auto distance = [&](std::size_t i) { return std::sqrt(far(view.eye, mean(walls[i]))); };
   EXPECT_NEAR(distance(0), 50.99019513592785, 1e-12);
   EXPECT_NEAR(distance(1), 20.024984394500787, 1e-12);
 }

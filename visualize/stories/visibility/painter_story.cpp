@@ -3,6 +3,7 @@
 #include "visibility/painter/painter.hpp"
 
 #include "stories/checking.hpp"
+#include "stories/listing.hpp"
 #include "stories/past.hpp"
 #include "stories/visibility/painter_drawing.hpp"
 #include "visibility/painter/painter_notes.hpp"
@@ -45,6 +46,8 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
   }
 
   const Picture& picture() const { return picture_; }
+  /// What is marked where pieces are put back, by a function that isn't listed.
+  void putting_back(int line) { putting_back_ = line; }
   /// The first step at which one may cover the other, or does.
   std::optional<StepNumber> telling() const {
     const auto& compared = all<Compared<double>>();
@@ -112,7 +115,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
             .key = names_(c.p)};
   }
   Event say(const Inserted<double>&) const {
-    return {.text = "sorted.again", .words = {{"order", order_text()}}};
+    return {.text = "sorted.again", .words = {{"order", order_text()}}, .line = putting_back_};
   }
   Event say(const Drawn<double>& d) const {
     const std::int64_t number = std::ssize(painted());
@@ -345,6 +348,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
   PlanPicture plan_;
   OrderPicture order_;
   std::vector<DPolygon> waiting_{};  ///< the first is farthest
+  int putting_back_ = 0;
 };
 
 // --- The methods
@@ -374,11 +378,16 @@ template <const KeyKind& key, auto method>
 void tell_order(Narrator& narrator) {
   const Task task = task_of(narrator.arguments());
   set_up(narrator, task, key.tests);
+  if (key.tests) {
+    narrator.list_below("covered");
+    narrator.list_below("tested");
+  }
   const auto drop = [](const DPolygon&) {};
   std::size_t pieces = task.polygons.size();
   method(task.polygons, task.view, drop,
          [&]<class Step>(const Step&) { pieces += std::same_as<Step, Cut<double>>; });
   OrderStory story(narrator.words(), task, key, pieces);
+  story.putting_back(line_with(narrator.trace().listing, "put_back("));
   narrator.handles("faces", [&](dvec3 p) { return story.picture().shown_at(p); });
   method(task.polygons, task.view, drop, narrator.watcher(story));
   if (const auto telling = story.telling()) narrator.telling(*telling);
