@@ -20,6 +20,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/tally.hpp"
 
 namespace gradus::polygon_shading {
 
@@ -86,10 +87,35 @@ Shaded<T, Colour, Colour> plain(ivec2 pixel, T gamma, const Colour& colour) {
   return {pixel, gamma, colour, T(1), colour};
 }
 
+/// The same where surfaces are: as they were mixed, and with normals of length 1.
+template <class T, class Colour>
+Shaded<T, Surface<T>, Colour> smooth(ivec2 pixel, T gamma, const Surface<T>& mixed, const Surface<T>& between,
+                                     const Colour& colour) {
+  return {pixel, gamma, between, length_of(mixed.normal), colour};
+}
+
 /// The polygon is done.
 struct Finished {
   std::int64_t pixels;  ///< that were plotted
   std::int64_t lights;  ///< how often light was computed
+};
+
+/// Counts both.
+struct Work {
+  std::int64_t pixels = 0, lights = 0;
+
+  template <class T, class Colour>
+  const PolygonLit<T, Colour>& operator()(const PolygonLit<T, Colour>& step) {
+    ++lights;
+    return step;
+  }
+  template <class T, class Value, class Colour>
+  const Shaded<T, Value, Colour>& operator()(const Shaded<T, Value, Colour>& step) {
+    ++pixels;
+    lights += std::same_as<Value, Surface<T>>;
+    return step;
+  }
+  Finished operator()(Finished) const { return {pixels, lights}; }
 };
 
 // --- Scan lines --------------------------------------------------
@@ -212,7 +238,7 @@ Surface<T> middle_of(std::span<const Corner<T, Surface<T>>> polygon) {
 ///
 /// polygon: convex on the screen, at least 3 corners, in either direction there; counter-clockwise in space
 ///   seen from the side that is lit. light(place, normal) gives a colour. plot(pixel, colour) is called for
-///   each pixel of `picture` whose centre the polygon covers, row by row.
+///   each pixel of `frame` whose centre the polygon covers, row by row.
 ///
 /// Domain: corners within 2^24 pixels of 0; finite places. A polygon whose corners lie on a line plots
 ///   nothing.
@@ -226,26 +252,25 @@ template <
     class T, class Light, class Plot,
     class Colour = std::invoke_result_t<Light&, glm::vec<3, T>, glm::vec<3, T>>,
     Observer<PolygonLit<T, Colour>, RowBegun<T, Colour>, Shaded<T, Colour, Colour>, Finished> O = Unobserved>
-void flat(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture, Light&& light, Plot&& plot,
+void flat(std::span<const Corner<T, Surface<T>>> polygon, const Window& frame, Light&& light, Plot&& plot,
           O&& observer = {}) {
   expect_polygon(polygon);
+  Tally<O, Work> tally(observer);
   // Light, once: middle and plane
-  const auto middle = middle_of(polygon);
-  const auto ip = lit(light, middle);
-  if constexpr (observed<O>) observer(PolygonLit<T, Colour>{middle, ip});
-  std::int64_t pixels = 0;
-  auto all = rows(polygon, picture);
+  auto middle = middle_of(polygon);
+  const auto I = lit(light, middle);
+  if constexpr (observed<O>) observer(tally.count(PolygonLit<T, Colour>{middle, I}));
+  auto all = rows(polygon, frame);
   for (const int j : all) {
     auto [l, r] = ends(polygon, j);
-    if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, ip, ip});
-    auto row = columns(l, r, picture);
+    if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, I, I});
+    auto row = columns(l, r, frame);
     for (const int i : row) {
-      plot(ivec2{i, j}, ip);
-      if constexpr (observed<O>) observer(plain({i, j}, between(l, r, i), ip));
-      ++pixels;
+      plot(ivec2{i, j}, I);
+      if constexpr (observed<O>) observer(tally.count(plain({i, j}, between(l, r, i), I)));
     }
   }
-  if constexpr (observed<O>) observer(Finished{pixels, 1});
+  if constexpr (observed<O>) observer(tally.count(Finished{0, 0}));
 }
 
 // --- Gouraud -----------------------------------------------------
@@ -285,28 +310,27 @@ void light_vertices(std::span<const Surface<T>> vertices, Light&& light, std::sp
 /// Errors: as for flat.
 template <class T, class Colour, class Plot,
           Observer<RowBegun<T, Colour>, Shaded<T, Colour, Colour>, Finished> O = Unobserved>
-void gouraud(std::span<const Corner<T, Colour>> polygon, const Window& picture, Plot&& plot,
+void gouraud(std::span<const Corner<T, Colour>> polygon, const Window& frame, Plot&& plot,
              O&& observer = {}) {
   expect_polygon(polygon);
-  std::int64_t pixels = 0;
-  auto all = rows(polygon, picture);
+  Tally<O, Work> tally(observer);
+  auto all = rows(polygon, frame);
   for (const int j : all) {
-    // Along the edges: alpha and beta
+    // Along edges: alpha and beta
     auto [l, r] = ends(polygon, j);
     auto il = at_end(polygon, l);
     auto ir = at_end(polygon, r);
     if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, il, ir});
-    auto row = columns(l, r, picture);
+    auto row = columns(l, r, frame);
     for (const int i : row) {
       // Along the scan line
       T gamma = between(l, r, i);
       auto ip = mix(il, ir, gamma);
       plot(ivec2{i, j}, ip);
-      if constexpr (observed<O>) observer(plain({i, j}, gamma, ip));
-      ++pixels;
+      if constexpr (observed<O>) observer(tally.count(plain({i, j}, gamma, ip)));
     }
   }
-  if constexpr (observed<O>) observer(Finished{pixels, 0});
+  if constexpr (observed<O>) observer(tally.count(Finished{0, 0}));
 }
 
 // --- Phong -------------------------------------------------------
@@ -332,18 +356,18 @@ Surface<T> renormalised(const Surface<T>& mixed) {
 template <class T, class Light, class Plot,
           class Colour = std::invoke_result_t<Light&, glm::vec<3, T>, glm::vec<3, T>>,
           Observer<RowBegun<T, Surface<T>>, Shaded<T, Surface<T>, Colour>, Finished> O = Unobserved>
-void phong(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture, Light&& light, Plot&& plot,
+void phong(std::span<const Corner<T, Surface<T>>> polygon, const Window& frame, Light&& light, Plot&& plot,
            O&& observer = {}) {
   expect_polygon(polygon);
-  std::int64_t pixels = 0;
-  auto all = rows(polygon, picture);
+  Tally<O, Work> tally(observer);
+  auto all = rows(polygon, frame);
   for (const int j : all) {
-    // Along the edges: alpha and beta
+    // Along edges: alpha and beta
     auto [l, r] = ends(polygon, j);
     auto nl = at_end(polygon, l);
     auto nr = at_end(polygon, r);
     if constexpr (observed<O>) observer(RowBegun<T, Surface<T>>{j, l, r, nl, nr});
-    auto row = columns(l, r, picture);
+    auto row = columns(l, r, frame);
     for (const int i : row) {
       // Along the scan line
       T gamma = between(l, r, i);
@@ -352,11 +376,10 @@ void phong(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture
       auto np = renormalised(nm);
       auto ip = lit(light, np);
       plot(ivec2{i, j}, ip);
-      if constexpr (observed<O>) observer(Shaded{ivec2{i, j}, gamma, np, length_of(nm.normal), ip});
-      ++pixels;
+      if constexpr (observed<O>) observer(tally.count(smooth({i, j}, gamma, nm, np, ip)));
     }
   }
-  if constexpr (observed<O>) observer(Finished{pixels, pixels});
+  if constexpr (observed<O>) observer(tally.count(Finished{0, 0}));
 }
 
 }  // namespace gradus::polygon_shading

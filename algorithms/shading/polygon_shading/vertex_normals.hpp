@@ -14,6 +14,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/tally.hpp"
 
 namespace gradus::polygon_shading {
 
@@ -32,6 +33,19 @@ struct NormalAdded {
   T weight;
 };
 
+/// Numbers the faces: what is told of one comes with the number of its corner, from 0 on.
+struct FacesTaken {
+  std::size_t count = 0;
+
+  template <class T>
+  NormalAdded<T> operator()(NormalAdded<T> step) {
+    const bool first = step.face == 0;
+    count += first;
+    step.face = count - 1;
+    return step;
+  }
+};
+
 /// All that meet at a vertex were added.
 template <class T>
 struct VertexDone {
@@ -44,6 +58,12 @@ struct VertexDone {
 template <class T>
 inline constexpr glm::vec<3, T> nothing{T(0)};
 
+/// The number of one of them.
+template <class T>
+std::size_t index_in(std::span<T> all, const T& one) {
+  return static_cast<std::size_t>(&one - all.data());
+}
+
 /// The number of the vertex at the k-th corner of a face.
 template <class Face>
 std::size_t vertex(const Face& face, std::size_t k) {
@@ -52,7 +72,7 @@ std::size_t vertex(const Face& face, std::size_t k) {
 
 /// 0, 1 … for the corners of a face.
 template <class Face>
-auto corners_of(const Face& face) {
+auto corners(const Face& face) {
   return std::views::iota(std::size_t{0}, static_cast<std::size_t>(std::ranges::size(face)));
 }
 
@@ -90,8 +110,9 @@ T weight(std::span<const glm::vec<3, T>> places, const Face& face, std::size_t k
 /// as its weight says, brought to length 1. Source: H. Gouraud, 1971 (plain); G. Thürmer, C. Wüthrich,
 /// Computing vertex normals from polygonal facets, J. Graphics Tools 3 (1), 1998 (angle).
 ///
-/// places: of the vertices. faces: a range of ranges of numbers of vertices, counter-clockwise seen from
-///   outside, at least 3 each, each range random access. normals: the caller's, as long as `places`.
+/// P: the places of the vertices. faces: a range of ranges of numbers of vertices, counter-clockwise seen
+/// from
+///   outside, at least 3 each, each range random access. N: the normals, the caller's, as long as P.
 ///
 /// Domain: finite places, sizes whose squares neither overflow nor underflow. A face without area adds
 /// nothing. Steps: NormalAdded for every corner of every face, then VertexDone for every vertex. Accuracy:
@@ -99,30 +120,28 @@ T weight(std::span<const glm::vec<3, T>> places, const Face& face, std::size_t k
 ///   not cancel: beside the errors of the faces' own normals.
 /// Cost: a normal a face and a weight a corner: an arc tangent with angles, a cross product a corner with
 ///   areas.
-/// Errors: ContractViolation where the lengths of places and normals differ.
+/// Errors: ContractViolation where the lengths of P and N differ.
 template <class T, class Faces, Observer<NormalAdded<T>, VertexDone<T>> O = Unobserved>
-void vertex_normals(std::span<const glm::vec<3, T>> places, const Faces& faces, Weighting how,
-                    std::span<glm::vec<3, T>> normals, O&& observer = {}) {
-  expects(normals.size() == places.size(), "{} normals were expected, not {}", places.size(), normals.size());
-  std::ranges::fill(normals, nothing<T>);
-  std::size_t f = 0, v = 0;
+void vertex_normals(std::span<const glm::vec<3, T>> P, const Faces& faces, Weighting how,
+                    std::span<glm::vec<3, T>> N, O&& observer = {}) {
+  expects(N.size() == P.size(), "{} normals were expected, not {}", P.size(), N.size());
+  Tally<O, FacesTaken> tally(observer);
+  std::ranges::fill(N, nothing<T>);
   for (const auto& face : faces) {
-    auto area = doubled_area(places, face);
-    const auto n = unit_vector(area);
-    for (auto k : corners_of(face)) {
+    auto A = doubled_area(P, face);
+    const auto n = unit_vector(A);
+    for (auto k : corners(face)) {
       // Added at its k-th corner
-      T w = weight(places, face, k, how);
-      auto& sum = normals[vertex(face, k)];
-      sum += w * n;
-      if constexpr (observed<O>) observer(NormalAdded<T>{f, vertex(face, k), n, w});
+      T w = weight(P, face, k, how);
+      auto v = vertex(face, k);
+      N[v] += w * n;
+      if constexpr (observed<O>) observer(tally.count(NormalAdded<T>{k, v, n, w}));
     }
-    ++f;
   }
-  for (auto& normal : normals) {
+  for (auto& normal : N) {
     const auto sum = normal;
     normal = unit_vector(sum);
-    if constexpr (observed<O>) observer(VertexDone<T>{v, sum, normal});
-    ++v;
+    if constexpr (observed<O>) observer(VertexDone<T>{index_in(N, normal), sum, normal});
   }
 }
 

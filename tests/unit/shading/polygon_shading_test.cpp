@@ -264,10 +264,10 @@ TEST(PolygonShading, AFaceNormalOfVertexNormalsLeans) {
   for (const dvec3 p : {dvec3{1, 1, 1}, {-1, 1, 1}, {-1, -1, 1}}) half.push_back({dvec2(p), {p, third * p}});
   const std::span<const Plain> polygon(half);
   EXPECT_NEAR(glm::distance(middle_of(polygon).normal, dvec3{0, 0, 1}), 0, 1e-15);
-  const dvec3 leaning = leaning_middle(polygon).normal;
+  const dvec3 tilted = leaning(polygon).normal;
   const dvec3 golden{-0.30151134457776363, 0.30151134457776363, 0.9045340337332909};
-  EXPECT_NEAR(glm::distance(leaning, golden), 0, 1e-12);
-  EXPECT_NEAR(std::acos(leaning.z) * 180 / std::numbers::pi, 25.239401820678907, 1e-9);
+  EXPECT_NEAR(glm::distance(tilted, golden), 0, 1e-12);
+  EXPECT_NEAR(std::acos(tilted.z) * 180 / std::numbers::pi, 25.239401820678907, 1e-9);
 }
 
 // --- Which pixels; that they are those inside, each in one of several polygons, is a promise
