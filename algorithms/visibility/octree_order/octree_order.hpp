@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <ranges>
 
 #include "core/arithmetic/rounding.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/tally.hpp"
 
 namespace gradus::octree_order {
 
@@ -52,6 +54,22 @@ struct Finished {
   std::int64_t compared;  ///< coordinates of the eye with those of a middle
 };
 
+/// Counts both, and numbers the leaves.
+struct Work {
+  std::int64_t cells = 0, compared = 0;
+
+  template <class T>
+  Entered<T> operator()(const Entered<T>& step) {
+    compared += 3;
+    return step;
+  }
+  template <class T>
+  Visited<T> operator()(const Visited<T>& step) {
+    return {step.cell, ++cells};
+  }
+  Finished operator()(Finished) const { return {cells, compared}; }
+};
+
 // --- One cell ----------------------------------------------------
 
 template <class T>
@@ -87,7 +105,8 @@ constexpr int nearest_child(const Cell<T>& cell, const Eye<T>& eye) {
 /// behind all three.
 inline constexpr std::array<int, 8> turned_bits{0, 1, 2, 4, 3, 5, 6, 7};
 
-constexpr int turned(int k) { return turned_bits[static_cast<std::size_t>(k)]; }
+/// From the last to the first.
+inline constexpr auto turned_back = std::views::reverse(turned_bits);
 
 /// Deepest that cells may be cut.
 inline constexpr int deepest = 48;
@@ -100,22 +119,14 @@ void expect_cube(const Cell<T>& root, const Eye<T>& eye) {
 
 // --- The walks ---------------------------------------------------
 
-/// What both walks have in common: where the eye is, who is asked, and what was done.
+/// What both walks have in common: where the eye is, and who is asked.
 template <class T, class Split, class Visit>
 struct Walk {
   const Eye<T>& eye;
   Split& split;
   Visit& visit;
-  std::int64_t cells = 0, compared = 0;
 
-  void leaf(const Cell<T>& cell) {
-    ++cells;
-    visit(cell);
-  }
-  int nearest(const Cell<T>& cell) {
-    compared += 3;
-    return nearest_child(cell, eye);
-  }
+  int nearest(const Cell<T>& cell) const { return nearest_child(cell, eye); }
   bool is_leaf(const Cell<T>& cell) { return cell.depth == deepest || !split(cell); }
 };
 
@@ -128,17 +139,17 @@ Walk<T, Split, Visit> walk_of(const Eye<T>& eye, Split& split, Visit& visit) {
 template <class T, class Split, class Visit, class O>
 void nearer_first(Walk<T, Split, Visit>& walk, const Cell<T>& cell, O& observer) {
   if (walk.is_leaf(cell)) {
-    walk.leaf(cell);
-    if constexpr (observed<O>) observer(Visited<T>{cell, walk.cells});
+    walk.visit(cell);
+    if constexpr (observed<O>) observer(Visited<T>{cell, 0});
     return;
   }
-  int nearest = walk.nearest(cell);
-  if constexpr (observed<O>) observer(Entered<T>{cell, nearest});
-  // The eye's octant, three beside it,
-  // three beside those, the one across
-  for (const int bits : turned_bits) {
-    int child = nearest ^ bits;
-    auto next = child_of(cell, child);
+  // The eye's side of three planes
+  int near = walk.nearest(cell);
+  if constexpr (observed<O>) observer(Entered<T>{cell, near});
+  // 000, 001, 010, 100, 011, …, 111
+  for (int bits : turned_bits) {
+    const int k = near ^ bits;
+    auto next = child_of(cell, k);
     nearer_first(walk, next, observer);
   }
 }
@@ -147,16 +158,17 @@ void nearer_first(Walk<T, Split, Visit>& walk, const Cell<T>& cell, O& observer)
 template <class T, class Split, class Visit, class O>
 void farther_first(Walk<T, Split, Visit>& walk, const Cell<T>& cell, O& observer) {
   if (walk.is_leaf(cell)) {
-    walk.leaf(cell);
-    if constexpr (observed<O>) observer(Visited<T>{cell, walk.cells});
+    walk.visit(cell);
+    if constexpr (observed<O>) observer(Visited<T>{cell, 0});
     return;
   }
-  int nearest = walk.nearest(cell);
-  if constexpr (observed<O>) observer(Entered<T>{cell, nearest});
-  // The one across first, the eye's last
-  for (int k = 7; k >= 0; --k) {
-    int child = nearest ^ turned(k);
-    auto next = child_of(cell, child);
+  // The eye's side of three planes
+  int near = walk.nearest(cell);
+  if constexpr (observed<O>) observer(Entered<T>{cell, near});
+  // 111, 110, 101, 011, 100, …, 000
+  for (int bits : turned_back) {
+    const int k = near ^ bits;
+    auto next = child_of(cell, k);
     farther_first(walk, next, observer);
   }
 }
@@ -177,9 +189,10 @@ void farther_first(Walk<T, Split, Visit>& walk, const Cell<T>& cell, O& observer
 template <class T, class Split, class Visit, Observer<Entered<T>, Visited<T>, Finished> O = Unobserved>
 void front_to_back(const Cell<T>& root, const Eye<T>& eye, Split&& split, Visit&& visit, O&& observer = {}) {
   expect_cube(root, eye);
+  Tally<O, Work> tally(observer);
   auto walk = walk_of(eye, split, visit);
-  nearer_first(walk, root, observer);
-  if constexpr (observed<O>) observer(Finished{walk.cells, walk.compared});
+  nearer_first(walk, root, tally);
+  if constexpr (observed<O>) observer(tally.count(Finished{0, 0}));
 }
 
 /// Visits an octree's leaves from back to front, as a painter needs them: each may be drawn over all before
@@ -191,9 +204,10 @@ void front_to_back(const Cell<T>& root, const Eye<T>& eye, Split&& split, Visit&
 template <class T, class Split, class Visit, Observer<Entered<T>, Visited<T>, Finished> O = Unobserved>
 void back_to_front(const Cell<T>& root, const Eye<T>& eye, Split&& split, Visit&& visit, O&& observer = {}) {
   expect_cube(root, eye);
+  Tally<O, Work> tally(observer);
   auto walk = walk_of(eye, split, visit);
-  farther_first(walk, root, observer);
-  if constexpr (observed<O>) observer(Finished{walk.cells, walk.compared});
+  farther_first(walk, root, tally);
+  if constexpr (observed<O>) observer(tally.count(Finished{0, 0}));
 }
 
 }  // namespace gradus::octree_order
