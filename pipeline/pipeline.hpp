@@ -41,37 +41,32 @@ Image render(const Scene& scene, Size size, O&& observer = {}) {
   const auto [width, height] = size;
   expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
           "a picture has 1 to {} pixels a side, not {} x {}", largest_side, width, height);
-  const double aspect = static_cast<double>(width) / height;
-  const auto& camera = scene.camera;
+  const double ratio = static_cast<double>(width) / height;
+  const auto& eye = scene.camera;
 
   // 1 Input model
-  auto model = input(scene, observer);
+  auto in = input(scene, observer);
   // 2 World transformation
-  auto world = to_world(scene, model, observer);
+  auto w = to_world(scene, in, observer);
   // 3 Perspective transformation
-  const Model<ClipPoint> seen =  // multiplies, does not divide
-      to_clip(camera, aspect, world, observer);
+  auto c = to_clip(eye, ratio, w, observer);
   // 4 Back-face removal
-  const Model<ClipPoint> facing =  // by the sign of det[x y w]
-      remove_back_faces(scene, seen, observer);
+  auto front = cull(scene, c, observer);
   // 5 Clipping, then division by w
-  auto triangles =  // near and far plane cut
-      clip(world, facing, size, observer);
-  // Painter, BSP tree: depth by order
-  arrange(scene, facing, size,  // z-buffer: as they are
-          triangles);
+  auto t = clip(w, front, size, observer);
+  // Painter, BSP tree: their order
+  arrange(scene, front, size, t);
   // 6 Rasterization
   Visible kept(width, height);
-  auto emit = [&](const Fragment& f) {
+  auto emit = [&](auto& f) {
     // 7 Hidden surface removal
     keep_nearest(f, kept, observer);
   };
-  rasterize(triangles, size, emit, observer);
+  rasterize(t, size, emit, observer);
   // 7 Shading
-  const Raster<LinearRgb> light =  // Phong, for what is seen
-      shade(scene, triangles, kept, observer);
+  auto lit = shade(scene, t, kept, observer);
   // 8 Output
-  return output(light, observer);
+  return output(lit, observer);
 }
 
 /// The light of a scene with the antialiasing that it asks for, before its background or none.
@@ -89,7 +84,7 @@ inline LightPicture antialiased(const Scene& scene, Size size) {
   // 1 to 5 as without
   const auto world = to_world(scene, input(scene));
   const auto seen = to_clip(scene.camera, aspect, world);
-  const auto facing = remove_back_faces(scene, seen);
+  const auto facing = cull(scene, seen);
   Triangles triangles = clip(world, facing, size);
   arrange(scene, facing, size, triangles);
   // 6 and 7, of several places a pixel

@@ -31,7 +31,7 @@ Image render_with(Fault fault, const Scene& scene, Size size, O&& observer = {})
   const auto world = to_world(scene, model, observer);
   const auto seen = to_clip(scene.camera, static_cast<double>(width) / height, world, observer);
   const auto facing = fault == Fault::cull_after_division ? cull_after_division(scene, seen, observer)
-                                                          : remove_back_faces(scene, seen, observer);
+                                                          : cull(scene, seen, observer);
   Triangles triangles = clip(world, facing, size, observer);
   arrange(scene, facing, size, triangles);
   Visible kept(width, height);

@@ -115,7 +115,7 @@ Triangles geometry_of(const Scene& scene, int number, const Plan& plan, Ledger& 
   const auto pieces = count_of(model.pieces);
   const auto world = to_world(scene, std::move(model));
   const auto seen = to_clip(scene.camera, static_cast<double>(width) / height, world);
-  const auto facing = remove_back_faces(scene, seen);
+  const auto facing = cull(scene, seen);
   const bool cut = plan.cuts(number);
   const bool edges = scene.shading == Shading::wireframe;
   Triangles triangles = edges ? outlines(facing, plan.size)

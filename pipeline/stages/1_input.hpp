@@ -105,7 +105,7 @@ inline void share_planes(const Mesh& mesh, int first_vertex, std::size_t first, 
 template <Observer<VertexRead, FaceRead> O = Unobserved>
 void bring_in(const Mesh& mesh, int object, Model<ObjectPoint>& model, O&& observer = {}) {
   // Its faces count them from here
-  int first = size_of(model.vertices);
+  int v = size_of(model.vertices);
   int vertex = 0;
   for (dvec3 at : mesh.positions) {
     VertexId id{object, vertex++};
@@ -114,16 +114,15 @@ void bring_in(const Mesh& mesh, int object, Model<ObjectPoint>& model, O&& obser
   }
   // Larger faces lose their ears
   int faces = size_of(mesh.faces);
-  const auto from = model.pieces.size();
+  auto n = model.pieces.size();
   for (int i = 0; i < faces; ++i) {
     const PieceId id{object, i, 0};
-    const auto pieces =  // triangles
-        cut(mesh, id, first);
+    auto pieces = cut(mesh, id, v);
     append(model.pieces, pieces);
     if constexpr (observed<O>) observer(face_read(mesh, object, i, pieces));
   }
   // One depth for all in a plane
-  share_planes(mesh, first, from, model);
+  share_planes(mesh, v, n, model);
 }
 
 /// Brings in every object of the scene, in order.

@@ -36,7 +36,7 @@ inline bool turn(const glm::dmat4& placement, Piece& piece) {
 
 /// Where the object of a vertex or of a piece stands.
 template <class Id>
-const glm::dmat4& placement_of(const Scene& scene, Id id) {
+const glm::dmat4& placement(const Scene& scene, Id id) {
   return object_at(scene, id.object).placement;
 }
 
@@ -53,19 +53,19 @@ Model<WorldPoint> to_world(const Scene& scene, Model<ObjectPoint> model, O&& obs
   Model<WorldPoint> world;
   for (auto& v : model.vertices) {
     const auto& [id, from] = v;
-    const auto& m =  // of its object
-        placement_of(scene, id);
-    dvec3 to = transform(m, from.at);
+    // As its object stands
+    auto& m = placement(scene, id);
+    auto to = transform(m, from.at);
     world.add(id, {to});
     if constexpr (observed<O>) observer(Placed{id, from, {to}});
   }
   // Normals turn, they do not move
   hand_on_pieces(model, world);
-  for (Piece& piece : world.pieces) {
-    const auto& m =  // of its object
-        placement_of(scene, piece.id);
-    bool mirrored = turn(m, piece);
-    if constexpr (observed<O>) observer(Turned{piece.id, mirrored});
+  for (auto& p : world.pieces) {
+    const PieceId id = p.id;
+    auto& m = placement(scene, id);
+    turn(m, p);
+    if constexpr (observed<O>) observer(Turned{id, affine_3d::mirrors(m)});
   }
   return world;
 }

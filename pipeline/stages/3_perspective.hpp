@@ -63,20 +63,20 @@ inline glm::dvec4 transform(const SceneLens& lens, dvec3 view) {
 /// Cost: a vertex each.
 /// Errors: ContractViolation for a lens that sees nothing.
 template <Observer<Projected> O = Unobserved>
-Model<ClipPoint> to_clip(const SceneCamera& camera, double aspect, const Model<WorldPoint>& world,
+Model<ClipPoint> to_clip(const SceneCamera& of, double aspect, const Model<WorldPoint>& world,
                          O&& observer = {}) {
   using viewing::to_view;
-  const auto& eye = camera.frame;
-  auto lens = lens_of(camera, aspect);
+  const auto& eye = of.frame;
+  auto lens = lens_of(of, aspect);
   Model<ClipPoint> clip;
   for (auto& v : world.vertices) {
     const auto& [id, from] = v;
-    // To the viewer: right, up, depth
-    auto view = to_view(eye, from.at);
+    // Seen: right, up, depth
+    auto p = to_view(eye, from.at);
     // To clip space: w is the depth
-    auto to = transform(lens, view);
+    auto to = transform(lens, p);
     clip.add(id, {to});
-    if constexpr (observed<O>) observer(Projected{id, from, view, {to}});
+    if constexpr (observed<O>) observer(Projected{id, from, p, {to}});
   }
   clip.pieces = world.pieces;
   clip.planes = world.planes;

@@ -42,22 +42,21 @@ inline bool two_sided(const Scene& scene, const Piece& piece) {
 /// Cost: a determinant a piece.
 /// Errors: ContractViolation for coordinates that are not finite.
 template <Observer<Faced> O = Unobserved>
-Model<ClipPoint> remove_back_faces(const Scene& scene, Model<ClipPoint> model, O&& observer = {}) {
+Model<ClipPoint> cull(const Scene& scene, Model<ClipPoint> model, O&& observer = {}) {
   using back_face_culling::Facing;
   std::vector<Piece> kept;
-  for (Piece& piece : model.pieces) {
+  for (auto& p : model.pieces) {
     // By the sign of det[x y w]
-    auto side = facing(model, piece);
-    const bool front =  // counter-clockwise
-        side == Facing::front;
-    bool back = side == Facing::back;
-    const bool both =  // of an open model
-        two_sided(scene, piece);
-    const bool keep =  // edge-on: never
-        front || (back && both);
-    piece.seen_from_behind = back;
-    if constexpr (observed<O>) observer(Faced{piece.id, side, both, !keep});
-    if (keep) kept.push_back(piece);
+    const auto s = facing(model, p);
+    bool front = s == Facing::front;
+    bool back = s == Facing::back;
+    // Of open models both are seen
+    bool both = two_sided(scene, p);
+    // Edge-on: never
+    bool keep = back ? both : front;
+    p.seen_from_behind = back;
+    if constexpr (observed<O>) observer(Faced{p.id, s, both, !keep});
+    if (keep) kept.push_back(p);
   }
   model.pieces.swap(kept);
   return model;

@@ -10,9 +10,9 @@
 namespace gradus::pipeline {
 
 /// FAULTY: removes the pieces whose area in the picture is negative, corners behind the eye and all. What is
-/// told of a piece is what remove_back_faces tells, with the side that was found.
+/// told of a piece is what cull tells, with the side that was found.
 ///
-/// Domain: as remove_back_faces.
+/// Domain: as cull.
 /// Steps: Faced*.
 /// Accuracy: wrong for pieces with one or three corners behind the eye.
 /// Cost: 3 divisions a piece.

@@ -170,7 +170,7 @@ inline Clipped clipped(PieceId id, const Polygon& before, const Polygon& after,
 
 /// Clips every piece and divides what is left, which goes on as triangles with the piece's id.
 ///
-/// world, model: the same vertices in world and in clip space. size: of the picture.
+/// w, m: the same vertices in world and in clip space. size: of the picture.
 ///
 /// Domain: finite coordinates, any w.
 /// Steps: Clipped*, in the order of the pieces.
@@ -178,23 +178,23 @@ inline Clipped clipped(PieceId id, const Polygon& before, const Polygon& after,
 /// Cost: 18 tests a piece; more where something is cut.
 /// Errors: ContractViolation for a picture beyond 2^17 pixels.
 template <Observer<Clipped> O = Unobserved>
-Triangles clip(const Model<WorldPoint>& world, const Model<ClipPoint>& model, Size size, O&& observer = {}) {
-  auto planes = guard_volume(size);
-  auto depths = plane_depths(model, size);
-  Triangles triangles =  // one a piece, or more
-      room_for(model.pieces);
-  for (auto& p : model.pieces) {
-    const Polygon before =  // in clip space
-        polygon_of(p, world, model);
-    const Polygon after =  // Sutherland-Hodgman
-        part_inside(before, planes);
+Triangles clip(const Model<WorldPoint>& w, const Model<ClipPoint>& m, Size size, O&& observer = {}) {
+  auto V = guard_volume(size);
+  auto z = plane_depths(m, size);
+  // One triangle a piece, or more
+  auto all = room_for(m.pieces);
+  for (auto& p : m.pieces) {
+    // In clip space
+    auto in = polygon_of(p, w, m);
+    // Sutherland-Hodgman
+    auto out = part_inside(in, V);
     // Every w > 0: divide by it
-    const auto ndc = divided(after);
+    const auto ndc = divided(out);
     // What is left is convex: a fan
-    append(triangles, fan(p, ndc, depths));
-    if constexpr (observed<O>) observer(clipped(p.id, before, after, ndc, planes));
+    append(all, fan(p, ndc, z));
+    if constexpr (observed<O>) observer(clipped(p.id, in, out, ndc, V));
   }
-  return triangles;
+  return all;
 }
 
 }  // namespace gradus::pipeline

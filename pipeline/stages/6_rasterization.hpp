@@ -51,6 +51,11 @@ inline triangle_coverage::Triangle on_grid(const std::array<SnappedPoint, 3>& co
   return {corners[0].at, corners[1].at, corners[2].at};
 }
 
+/// The number of one of them.
+inline int index(const Triangle& triangle, const Triangles& all) {
+  return static_cast<int>(&triangle - all.data());
+}
+
 /// Twice its area, in 1/65536 pixel.
 inline std::int64_t area_of(const triangle_coverage::Triangle& grid) {
   return triangle_coverage::doubled_area(grid);
@@ -109,35 +114,33 @@ inline dvec3 shares_of(const triangle_coverage::Weights& weights, const dvec3& o
 /// Errors: ContractViolation for corners beyond the guard planes.
 template <std::invocable<const Fragment&> Emit, Observer<Snapped, Covered> O = Unobserved>
 void rasterize(const Triangles& triangles, Size size, Emit&& emit, O&& observer = {}) {
-  auto picture = picture_window(size);
-  int i = -1;
+  using triangle_coverage::cover;
+  auto all = picture_window(size);
   for (auto& t : triangles) {
-    ++i;
+    int i = index(t, triangles);
     // Into the picture, on its grid
-    auto exact = in_picture(t, size);
-    auto corners = snapped(exact);
+    auto raw = in_picture(t, size);
+    auto corners = snapped(raw);
     auto grid = on_grid(corners);
     // Its sign tells the side
     const auto area = area_of(grid);
-    bool drawn = keeps_side(t, area);
-    if constexpr (observed<O>) observer(Snapped{t.id, i, exact, corners, area, drawn});
-    if (!drawn) continue;
-    // Depth is linear in the picture,
-    // everything else on the surface
-    auto depth = depth_over(grid, t);
-    const dvec3 over_w = over_w_of(t);
-    auto tell = [&](ivec2 p, auto w) {
+    bool kept = keeps_side(t, area);
+    if constexpr (observed<O>) observer(Snapped{t.id, i, raw, corners, area, kept});
+    if (!kept) continue;
+    // Linear in the picture: depth,
+    // and on the surface all else
+    auto z = depth_over(grid, t);
+    auto over_w = over_w_of(t);
+    auto at = [&](ivec2 p, auto w) {
       // Perspective-correct shares
-      const auto parts =  // of the corners
-          shares_of(w, over_w);
-      const double z = depth.at(p, w);
-      const Fragment f =  // one pixel's
-          {t.id, i, p, z, parts};
+      auto s = shares_of(w, over_w);
+      const double d = z.at(p, w);
+      Fragment f{t.id, i, p, d, s};
       if constexpr (observed<O>) observer(Covered{f});
       emit(f);
     };
-    triangle_coverage::cover(  // row by row
-        grid, picture, tell);
+    // Row by row
+    cover(grid, all, at);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/observe.hpp"
+#include "core/pixels.hpp"
 #include "core/raster.hpp"
 #include "plan/plan.hpp"
 #include "scene/scene.hpp"
@@ -60,6 +61,15 @@ inline std::optional<Fragment> held(const PixelCell& cell) {
   return cell.taken ? std::optional(cell.key.fragment) : std::nullopt;
 }
 
+/// What is told of a fragment's test against its pixel, which stays as it is.
+inline DepthTested tested(const Fragment& f, const PixelCell& cell) {
+  struct {
+    PixelCell cell;
+    PixelCell& operator[](ivec2) { return cell; }
+  } copy{cell};
+  return {f, held(cell), z_buffer::keep_nearest(copy, f.pixel, f.depth, {f})};
+}
+
 /// Tests a fragment against its pixel, and keeps it when it is the nearest so far.
 /// Steps: DepthTested. Accuracy: exact, in any order. Cost: a comparison.
 template <Observer<DepthTested> O = Unobserved>
@@ -67,10 +77,9 @@ void keep_nearest(const Fragment& f, Visible& cells, O&& observer = {}) {
   using z_buffer::keep_nearest;
   const ivec2 p = f.pixel;
   const double z = f.depth;
-  const auto before = cells[p];
-  const bool nearer =  // ties: by number
-      keep_nearest(cells, p, z, {f});
-  if constexpr (observed<O>) observer(DepthTested{f, held(before), nearer});
+  if constexpr (observed<O>) observer(tested(f, cells[p]));
+  // Of two as near the lower number
+  keep_nearest(cells, p, z, {f});
 }
 
 /// The mean of what the three corners have, with the fragment's weights.
@@ -235,6 +244,13 @@ inline Shaded shaded(SceneLight& light, const Fragment& fragment, const Triangle
           parts.specular, LinearRgb(parts.sum())};
 }
 
+inline Size size_of(const Visible& visible) { return {visible.width(), visible.height()}; }
+
+/// A picture in one colour.
+inline Raster<LinearRgb> filled(Size size, const LinearRgb& colour) {
+  return {size.width, size.height, colour};
+}
+
 /// Gives every visible fragment its colour, and every other pixel the background's.
 ///
 /// Steps: Shaded*, row by row.
@@ -242,28 +258,22 @@ inline Shaded shaded(SceneLight& light, const Fragment& fragment, const Triangle
 /// Cost: one illumination a visible pixel, a corner of a visible triangle, or a visible face: scene.shading.
 /// Errors: none.
 template <Observer<Shaded> O = Unobserved>
-Raster<LinearRgb> shade(const Scene& scene, const Triangles& triangles, const Visible& visible,
-                        O&& observer = {}) {
-  const int width = visible.width();
-  const int height = visible.height();
-  const auto back = scene.background;
-  Raster<LinearRgb> image(  // nothing seen yet
-      width, height, back);
-  SceneLight light(  // and its textures
-      scene, {width, height});
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const ivec2 p{x, y};
-      const auto& cell = visible[p];
-      if (!cell.taken) continue;
-      // Phong's model; the shading says how often
-      auto& f = cell.key.fragment;
-      auto& t =  // the one seen there
-          triangle_of(f, triangles);
-      auto lit = shaded(light, f, t);
-      image[p] = lit.colour;
-      if constexpr (observed<O>) observer(lit);
-    }
+Raster<LinearRgb> shade(const Scene& scene, const Triangles& all, const Visible& seen, O&& observer = {}) {
+  auto size = size_of(seen);
+  auto back = scene.background;
+  auto image = filled(size, back);
+  SceneLight light(scene, size);
+  auto window = seen.window();
+  for (ivec2 p : pixels(window)) {
+    const auto& cell = seen[p];
+    if (!cell.taken) continue;
+    // The triangle seen there
+    auto& f = cell.key.fragment;
+    auto& t = triangle_of(f, all);
+    // Lit by Phong's model
+    auto lit = shaded(light, f, t);
+    image[p] = lit.colour;
+    if constexpr (observed<O>) observer(lit);
   }
   return image;
 }

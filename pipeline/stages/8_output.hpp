@@ -4,6 +4,7 @@
 #include "core/colour.hpp"
 #include "core/image.hpp"
 #include "core/observe.hpp"
+#include "core/pixels.hpp"
 #include "core/raster.hpp"
 #include "core/surface.hpp"
 
@@ -32,14 +33,12 @@ Image output(const Raster<LinearRgb>& light, O&& observer = {}) {
   const int width = light.width();
   const int height = light.height();
   Image image(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      // By sRGB's curve, in 8 bits
-      const ivec2 p{x, y};
-      const LinearRgb& c = light[p];
-      image[p] = srgb8_from_linear(c);
-      if constexpr (observed<O>) observer(Written{p, c, image[p], too_bright(c)});
-    }
+  const auto all = light.window();
+  for (ivec2 p : pixels(all)) {
+    // By sRGB's curve, in 8 bits
+    const LinearRgb& c = light[p];
+    image[p] = srgb8_from_linear(c);
+    if constexpr (observed<O>) observer(Written{p, c, image[p], too_bright(c)});
   }
   return image;
 }

@@ -69,7 +69,7 @@ Triangles stages_of(const Scene& scene, int number, Size size, Watcher&& watcher
   const auto world = to_world(scene, std::move(model), watcher);
   const auto seen = to_clip(scene.camera, static_cast<double>(size.width) / size.height, world, watcher);
   told(seen);
-  const auto facing = remove_back_faces(scene, seen, watcher);
+  const auto facing = cull(scene, seen, watcher);
   Triangles triangles = clip(world, facing, size, watcher);
   return scene.shading == Shading::wireframe ? outlines(facing, size) : triangles;
 }

@@ -241,7 +241,7 @@ std::int64_t cuts_where_pictures_are_alike(HiddenSurfaces method) {
     for (const Rgba8 pixel : z_buffer.cells()) pixels += pixel != Rgba8{0, 0, 0, 255};
     // The hard path: parts, and pixels that several triangles cover
     const auto world = to_world(scene, input(scene));
-    const auto facing = remove_back_faces(scene, to_clip(scene.camera, 4.0 / 3, world));
+    const auto facing = cull(scene, to_clip(scene.camera, 4.0 / 3, world));
     Triangles parts = clip(world, facing, size);
     const std::size_t whole = parts.size();
     std::int64_t covered = 0;
@@ -403,7 +403,7 @@ TEST(Wireframe, HasEachEdgeOfAFaceOnce) {
   const auto edges = [&](Culling culling) {
     scene.culling = culling;
     const auto seen = to_clip(scene.camera, 1.5, to_world(scene, input(scene)));
-    return face_edges(remove_back_faces(scene, seen).pieces).size();
+    return face_edges(cull(scene, seen).pieces).size();
   };
   EXPECT_EQ(edges(Culling::none), 12u) << "without diagonals";
   EXPECT_EQ(edges(Culling::closed_bodies), 9u) << "those of the three faces that are seen";

@@ -112,10 +112,10 @@ TEST(PipelineTour, HasAStepForEveryStage) {
       lines.push_back(line->text.substr(line->text.find_first_not_of(' ')));
     }
     EXPECT_THAT(lines,
-                testing::ElementsAre("auto model = input(scene);", "auto world = to_world(scene, model);",
-                                     "to_clip(camera, aspect, world);", "remove_back_faces(scene, seen);",
-                                     "clip(world, facing, size);", "rasterize(triangles, size, emit);",
-                                     "shade(scene, triangles, kept);", "return output(light);"));
+                testing::ElementsAre("auto in = input(scene);", "auto w = to_world(scene, in);",
+                                     "auto c = to_clip(eye, ratio, w);", "auto front = cull(scene, c);",
+                                     "auto t = clip(w, front, size);", "rasterize(t, size, emit);",
+                                     "auto lit = shade(scene, t, kept);", "return output(lit);"));
   }
 }
 
@@ -220,9 +220,7 @@ TEST(PipelineTour, AStageListsItsOwnSourceWithTheLinesThatReported) {
       {"rasterization",
        "6_rasterization",
        {{"Snapped", "Snapped{"}, {"Covered", "Covered{"}, {"EdgesTested", "Covered{"}}},
-      {"visibility",
-       "7_visibility_and_shading",
-       {{"DepthTested", "DepthTested{"}, {"Shaded", "observer(lit)"}}},
+      {"visibility", "7_visibility_and_shading", {{"DepthTested", "tested("}, {"Shaded", "observer(lit)"}}},
       {"output", "8_output", {{"Written", "Written{"}}}};
   int listed = 0, reported = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -16,7 +16,7 @@ inline constexpr std::array<Stage, 8> stages{
     {{"input", "input(", "1_input", "bring_in"},
      {"world", "to_world(", "2_world", "to_world"},
      {"perspective", "to_clip(", "3_perspective", "to_clip"},
-     {"back_faces", "remove_back_faces(", "4_back_faces", "remove_back_faces"},
+     {"back_faces", "cull(", "4_back_faces", "cull"},
      {"clipping", " clip(", "5_clipping", "clip"},
      {"rasterization", "rasterize(", "6_rasterization", "rasterize"},
      {"visibility", "shade(", "7_visibility_and_shading", "keep_nearest", "shade"},
