@@ -147,8 +147,8 @@ void Cards::determinant(View& view) const {
       .say(fmt::format("= {} {}", real_text(det), sign))
       .line();
   if (run_.fault == Fault::cull_after_division) {
-    const double area = back_face_culling::divided_area(projected(0).clip.at, projected(1).clip.at,
-                                                               projected(2).clip.at);
+    const double area =
+        back_face_culling::divided_area(projected(0).clip.at, projected(1).clip.at, projected(2).clip.at);
     card.say(see(faced_.removed ? "card.area_removed" : "card.area_kept",
                  {{"area", area}, {"face", piece_.id.face}}),
              Role::rejected);
