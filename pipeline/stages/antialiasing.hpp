@@ -218,14 +218,13 @@ inline LightPicture side_by_side(Shot& shot, const Pattern& pattern) {
   for (int top = lower.y; top <= upper.y; top += rows) {
     shot.tell(top - lower.y, picture.height());
     const Window band{{lower.x, top}, {upper.x, std::min(top + rows - 1, upper.y)}};
-    const auto triangles = adaptive::prepare(shot.triangles, band);
-    adaptive::Survey survey(triangles, band, pattern.places);
+    adaptive::Survey survey(shot.triangles, band, pattern.places);
     survey.cross_all();
     survey.make_samples();
     adaptive::take_samples(survey);
     for (int y = band.lower.y; y <= band.upper.y; ++y) {
       for (int x = band.lower.x; x <= band.upper.x; ++x) {
-        const auto [sum, share] = adaptive::mix_each(survey, {x, y}, shot.colour);
+        const auto [sum, share] = adaptive::blend(survey, {x, y}, shot.colour);
         picture[ivec2{x, y} - lower] = {sum, share};
       }
     }

@@ -6,7 +6,6 @@
 // corners do; coverage is decided by exact integers.
 
 #include <algorithm>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -74,31 +73,50 @@ struct Finished {
   std::int64_t colours;          ///< colours asked for
 };
 
+/// How a triangle that covers a pixel whole lies to the nearest one before it, which stays where both are as
+/// deep.
+inline Order order_of(const Survey& all, const Prepared& t, ivec2 p) {
+  using enum Order;
+  const int old = all[p].front;
+  if (old == nobody) return nearer;
+  auto& front = all.triangle(old);
+  int before = 0;
+  for (ivec2 s : all.places()) {
+    const auto at = place_in(p, s);
+    before += t.z(at) < front.z(at);
+  }
+  if (before == 0) return behind;
+  // At some samples: they pierce
+  const int n = all.samples();
+  if (before < n) return changing;
+  return nearer;
+}
+
 /// Finds the pixels that take all samples. Of every other pixel it finds the one triangle that all its
 /// samples show.
 /// Steps: (Classified Compared?)*. Accuracy: exact. Cost: three edge functions a pixel of each box.
 template <Observer<Classified, Compared> O = Unobserved>
-void mark_crossed(Survey& survey, O&& observer = {}) {
+void mark_crossed(Survey& all, O&& observer = {}) {
   using enum Cover;
   using enum Order;
-  int i = -1;
-  for (const auto& t : survey.triangles()) {
-    ++i;
-    for (const ivec2 p : PixelsOf(t.box)) {
-      auto& pixel = survey[p];
-      // Does an edge run through it?
-      const auto cover = cover_of(t.edges, p);
-      if constexpr (observed<O>) observer(Classified{i, p, cover});
-      if (cover == outside)  // not touched
-        continue;
-      pixel.crossed |= cover == crossed;
+  for (auto& t : all.triangles()) {
+    for (ivec2 p : pixels(t)) {
+      auto& pixel = all[p];
+      // Does an edge cross it?
+      const auto c = cover_of(t, p);
+      if constexpr (observed<O>) observer(Classified{t.id, p, c});
+      if (c == outside) continue;
+      if (c == crossed) {
+        pixel.crossed = true;
+      }
       if (pixel.crossed) continue;
-      // Covered whole: who is nearer?
-      const int old = pixel.front;
-      auto order = survey.order(i, old, p);
-      if constexpr (observed<O>) observer(Compared{i, p, old, order});
-      if (order == nearer) pixel.front = i;
-      pixel.crossed = order == changing;
+      // Covered whole: who is seen?
+      auto o = order_of(all, t, p);
+      if constexpr (observed<O>) observer(Compared{t.id, p, pixel.front, o});
+      if (o == nearer) {
+        pixel.front = t.id;
+      }
+      pixel.crossed = o == changing;
     }
   }
 }
@@ -107,32 +125,24 @@ void mark_crossed(Survey& survey, O&& observer = {}) {
 
 /// Tests every triangle at the samples of the pixels that have some.
 /// Steps: Sampled*. Accuracy: coverage exact, depths as of triangle_coverage::Depth; the least
-/// (depth, triangle) is kept. Cost: three edge functions a sample of each box. Returns the tests.
+/// (depth, triangle) is kept. Cost: three edge functions a sample of each box.
 template <Observer<Sampled> O = Unobserved>
-std::int64_t take_samples(Survey& survey, O&& observer = {}) {
-  std::int64_t tests = 0;
-  int i = -1;
-  for (const auto& t : survey.triangles()) {
-    ++i;
-    for (const ivec2 p : PixelsOf(t.box)) {
-      int s = -1;
-      for (auto& sample : survey.samples(p)) {
-        ++s;
-        ++tests;
+void take_samples(Survey& all, O&& observer = {}) {
+  for (auto& t : all.triangles()) {
+    for (ivec2 p : pixels(t)) {
+      for (Sample& s : all.at(p)) {
         // Is it in the triangle?
-        auto w = survey.weights(i, p, s);
-        const bool in = holds(t.edges, w);
-        // Nearer than what is there?
-        auto at = survey.place(p, s);
-        const auto z = t.depth.at(at, w);
-        const int old = sample.triangle;
-        bool nearer = in && z < sample.depth;
-        if constexpr (observed<O>) observer(Sampled{i, p, s, in, z, old, nearer});
-        if (nearer) sample = {z, i};
+        auto at = all.place(p, s);
+        auto w = weights(t, at);
+        const bool in = holds(t, w);
+        // Nearer than before?
+        const auto z = t.z(at, w);
+        bool nearer = in && z < s.z;
+        if constexpr (observed<O>) observer(Sampled{t.id, p, all.number(p, s), in, z, s.triangle, nearer});
+        if (nearer) s = {z, t.id};
       }
     }
   }
-  return tests;
 }
 
 // --- The colours -------------------------------------------------
@@ -144,11 +154,11 @@ struct Fragment {
 
 /// The fragments of a pixel that are seen, by triangle.
 inline std::vector<Fragment> fragments_of(const Survey& survey, ivec2 p) {
-  const auto& [front, crossed, first] = survey[p];
-  if (!crossed && front == nobody) return {};
-  if (!crossed) return {{front, survey.samples()}};
+  const Pixel& pixel = survey[p];
+  if (!pixel.crossed && pixel.front == nobody) return {};
+  if (!pixel.crossed) return {{pixel.front, survey.samples()}};
   std::vector<Fragment> all;
-  for (const Sample& sample : survey.samples(p)) {
+  for (const Sample& sample : survey.at(p)) {
     if (sample.triangle == nobody) continue;
     const auto at = std::ranges::lower_bound(all, sample.triangle, {}, &Fragment::triangle);
     if (at != all.end() && at->triangle == sample.triangle)
@@ -173,59 +183,64 @@ struct Light {
 /// Mixes a pixel of its fragments, each with one colour.
 /// Steps: Coloured*. Cost: a colour a fragment.
 template <class Colour, Observer<Coloured> O = Unobserved>
-Light<Value<Colour>> mix(const Survey& survey, ivec2 p, std::span<const Fragment> fragments, Colour& colour,
+Light<Value<Colour>> mix(const Survey& all, ivec2 p, std::span<const Fragment> seen, Colour& colour,
                          O&& observer = {}) {
-  Light<Value<Colour>> light;
-  const int n = survey.samples();
+  Value<Colour> sum{};
   int covered = 0;
-  for (const auto& [i, samples] : fragments) {
-    // Once, where the triangle covers it
-    const ivec2 at =  // in the centre?
-        survey.colour_place(i, p);
-    auto w = survey.weights_at(i, p, at);
+  const double N = all.samples();
+  for (const auto& [i, n] : seen) {
+    // Once, where it is covered
+    auto at = all.colour_at(i, p);
+    auto w = all.weights(i, p, at);
     const auto c = colour(i, p, w);
     // By the samples that show it
-    const double share = double(samples) / n;
-    covered += samples;
-    light.sum = light.sum + share * c;
-    if constexpr (observed<O>) observer(Coloured{i, p, at, samples, share});
+    const double share = n / N;
+    sum = sum + share * c;
+    if constexpr (observed<O>) observer(Coloured{i, p, at, n, share});
+    covered += n;
   }
-  light.share = double(covered) / n;
-  return light;
+  return {sum, covered / N};
 }
 
 /// Mixes a pixel of its samples, each with a colour of its own.
 /// Steps: Coloured*. Cost: a colour a covered sample.
 template <class Colour, Observer<Coloured> O = Unobserved>
-Light<Value<Colour>> mix_each(const Survey& survey, ivec2 p, Colour& colour, O&& observer = {}) {
-  Light<Value<Colour>> light;
-  const int n = survey.samples();
+Light<Value<Colour>> blend(const Survey& all, ivec2 p, Colour& colour, O&& observer = {}) {
+  Value<Colour> sum{};
   int covered = 0;
-  for (int s = 0; s < n; ++s) {
+  const int N = all.samples();
+  const double share = 1.0 / N;
+  for (int s = 0; s < N; ++s) {
     // Whose is the sample?
-    const int i = survey.shown(p, s);
+    const int i = all.shown(p, s);
     if (i == nobody) continue;
     // Its own colour
-    const auto w = survey.weights(i, p, s);
+    const auto at = all.place(s);
+    auto w = all.weights(i, p, at);
     const auto c = colour(i, p, w);
-    const double share = 1.0 / n;
+    sum = sum + share * c;
+    if constexpr (observed<O>) observer(Coloured{i, p, at, 1, share});
     ++covered;
-    light.sum = light.sum + share * c;
-    if constexpr (observed<O>) observer(Coloured{i, p, survey.place(s), 1, share});
   }
-  light.share = double(covered) / n;
-  return light;
+  return {sum, double(covered) / N};
 }
-/// How many samples it was mixed of.
-template <class V>
-std::int64_t samples_of(const Light<V>& light, const Survey& survey) {
-  return std::llround(light.share * survey.samples());
+
+/// How many colours are asked for: one a fragment that is seen, and of refined pixels one a covered sample.
+inline std::int64_t colours_of(const Survey& survey) {
+  std::int64_t all = 0;
+  for (const ivec2 p : pixels(survey.window())) {
+    const auto seen = fragments_of(survey, p);
+    all += std::ssize(seen);
+    if (!survey[p].refined) continue;
+    for (const Fragment& fragment : seen) all += fragment.samples;
+  }
+  return all;
 }
 
 // --- The methods -------------------------------------------------
 
 /// What all methods ask for.
-inline void check(const Window& window, std::span<const ivec2> samples) {
+inline void expect_drawable(const Window& window, std::span<const ivec2> samples) {
   expects(triangle_coverage::near_enough(window), "the window reaches more than {} pixels out",
           triangle_coverage::farthest);
   expects(!samples.empty() && samples.size() <= most_samples, "a pixel takes 1 to {} samples, not {}",
@@ -235,18 +250,15 @@ inline void check(const Window& window, std::span<const ivec2> samples) {
             "the sample at ({}, {}) lies outside its pixel of 256 x 256 places", place.x, place.y);
 }
 
-/// Mixes and plots every pixel, row by row. Returns the colours that were asked for.
+/// Mixes and plots every pixel, row by row.
 template <class Colour, class Plot, Observer<Coloured> O = Unobserved>
-std::int64_t plot_fragments(const Survey& survey, Colour& colour, Plot& plot, O&& observer = {}) {
-  std::int64_t colours = 0;
-  for (const ivec2 p : PixelsOf(survey.window())) {
-    const auto seen = fragments_of(survey, p);
+void plot_fragments(const Survey& all, Colour& colour, Plot& plot, O&& observer = {}) {
+  for (const ivec2 p : pixels(all.window())) {
+    const auto seen = fragments_of(all, p);
     if (seen.empty()) continue;
-    const auto [sum, share] = mix(survey, p, seen, colour, observer);
-    colours += std::ssize(seen);
+    const auto [sum, share] = mix(all, p, seen, colour, observer);
     plot(p, sum, share);
   }
-  return colours;
 }
 
 /// Draws triangles with all samples in pixels that edges cross, and in which the nearest surface changes;
@@ -255,9 +267,9 @@ std::int64_t plot_fragments(const Survey& survey, Colour& colour, Plot& plot, O&
 /// where they are needed); K. Akeley, RealityEngine graphics, SIGGRAPH 1993, 109-116 (coverage and depth a
 /// sample, colour a fragment).
 ///
-/// triangles: snapped corners in either direction, with their depths; smaller is nearer, and of equals the
-///   one that comes first is seen. window: the pixels that are asked for. samples: places in the pixel, in
-///   1/256 pixel. colour(triangle, pixel, weights): asked once per fragment that is seen, in the pixel's
+/// scene: snapped corners in either direction, with their depths; smaller is nearer, and of equals the
+///   one that comes first is seen. window: the pixels that are asked for. places: of the samples in a pixel,
+///   in 1/256 pixel. colour(triangle, pixel, weights): asked once per fragment that is seen, in the pixel's
 ///   centre if the triangle covers it, else at the covered sample nearest to it; what it returns can be added
 ///   and multiplied by a double. plot(pixel, sum, share): the sum of share times colour, and the share of the
 ///   pixel that is covered; called for pixels that show something, row by row.
@@ -271,40 +283,34 @@ std::int64_t plot_fragments(const Survey& survey, Colour& colour, Plot& plot, O&
 /// Errors: ContractViolation outside the domain.
 template <class Colour, class Plot,
           Observer<Classified, Compared, Sampled, Coloured, Finished> O = Unobserved>
-void adaptive(std::span<const ScreenTriangle> triangles, const Window& window, std::span<const ivec2> samples,
+void adaptive(std::span<const ScreenTriangle> scene, const Window& window, std::span<const ivec2> places,
               Colour&& colour, Plot&& plot, O&& observer = {}) {
-  check(window, samples);
-  const auto all = prepare(triangles, window);
-  Survey survey(all, window, samples);
+  expect_drawable(window, places);
+  Survey all(scene, window, places);
   // Where can samples differ?
-  mark_crossed(survey, observer);
+  mark_crossed(all, observer);
   // Only there take them all
-  survey.make_samples();
-  const auto tests =  // of the crossed
-      take_samples(survey, observer);
-  // A colour a fragment that is seen
-  const auto colours =  // centre or sample
-      plot_fragments(survey, colour, plot, observer);
-  if constexpr (observed<O>) observer(Finished{survey.pixels(), survey.crossed(), tests, colours});
+  all.make_samples();
+  take_samples(all, observer);
+  // A colour a fragment seen
+  plot_fragments(all, colour, plot, observer);
+  if constexpr (observed<O>) observer(Finished{all.pixels(), all.crossed(), all.tests(), colours_of(all)});
 }
 
 /// The textbook's way: all samples in every pixel.
 /// Steps: Sampled* Coloured* Finished. The rest is as for adaptive; memory of 16 bytes a sample.
 template <class Colour, class Plot, Observer<Sampled, Coloured, Finished> O = Unobserved>
-void each_sample(std::span<const ScreenTriangle> triangles, const Window& window,
-                 std::span<const ivec2> samples, Colour&& colour, Plot&& plot, O&& observer = {}) {
-  check(window, samples);
-  const auto all = prepare(triangles, window);
-  Survey survey(all, window, samples);
+void each_sample(std::span<const ScreenTriangle> scene, const Window& window, std::span<const ivec2> places,
+                 Colour&& colour, Plot&& plot, O&& observer = {}) {
+  expect_drawable(window, places);
+  Survey all(scene, window, places);
   // Everywhere
-  survey.cross_all();
-  survey.make_samples();
-  const auto tests =  // of all pixels
-      take_samples(survey, observer);
-  // A colour a fragment that is seen
-  const auto colours =  // centre or sample
-      plot_fragments(survey, colour, plot, observer);
-  if constexpr (observed<O>) observer(Finished{survey.pixels(), survey.crossed(), tests, colours});
+  all.cross_all();
+  all.make_samples();
+  take_samples(all, observer);
+  // A colour a fragment seen
+  plot_fragments(all, colour, plot, observer);
+  if constexpr (observed<O>) observer(Finished{all.pixels(), all.crossed(), all.tests(), colours_of(all)});
 }
 
 /// The pixels of a window before they are plotted.
@@ -316,13 +322,10 @@ class Picture {
         cells_(static_cast<int>(std::max<std::int64_t>(0, window.width())),
                static_cast<int>(std::max<std::int64_t>(0, window.height()))) {}
   Light<V>& operator[](ivec2 p) { return cells_[p - window_.lower]; }
-  auto plot() {
-    return [this](ivec2 p, const V& sum, double share) { (*this)[p] = {sum, share}; };
-  }
 
   /// The greatest contrast of a pixel to those left, right, above and below of it.
   template <class Contrast>
-  double contrast_at(ivec2 p, Contrast& contrast) {
+  double max(ivec2 p, Contrast& contrast) {
     double greatest = 0;
     for (const ivec2 way : {ivec2{-1, 0}, ivec2{1, 0}, ivec2{0, -1}, ivec2{0, 1}}) {
       if (!window_.contains(p + way)) continue;
@@ -335,6 +338,16 @@ class Picture {
   Window window_;
   Raster<Light<V>> cells_;
 };
+
+/// The picture of adaptive, kept.
+/// Steps: Coloured*.
+template <class Colour, Observer<Coloured> O = Unobserved>
+Picture<Value<Colour>> picture(const Survey& all, Colour& colour, O&& observer = {}) {
+  Picture<Value<Colour>> kept(all.window());
+  const auto keep = [&](ivec2 p, const auto& sum, double share) { kept[p] = {sum, share}; };
+  plot_fragments(all, colour, keep, observer);
+  return kept;
+}
 
 /// As adaptive; pixels that differ from a neighbour by more than a threshold take a colour at every sample
 /// as well, so that what lies within a surface, textures and highlights, is antialiased too.
@@ -350,37 +363,33 @@ class Picture {
 /// Errors: ContractViolation outside the domain.
 template <class Contrast, class Colour, class Plot,
           Observer<Classified, Compared, Sampled, Coloured, Contrasted, Finished> O = Unobserved>
-void adaptive_contrast(std::span<const ScreenTriangle> triangles, const Window& window,
-                       std::span<const ivec2> samples, Contrast&& contrast, double threshold, Colour&& colour,
+void adaptive_contrast(std::span<const ScreenTriangle> scene, const Window& window,
+                       std::span<const ivec2> places, Contrast&& contrast, double threshold, Colour&& colour,
                        Plot&& plot, O&& observer = {}) {
-  check(window, samples);
-  const auto all = prepare(triangles, window);
-  Survey survey(all, window, samples);
-  mark_crossed(survey, observer);
-  survey.make_samples();
-  const auto tests =  // of the crossed
-      take_samples(survey, observer);
-  // The picture of adaptive
-  Picture<Value<Colour>> first(window);
-  auto keep = first.plot();
-  auto colours =  // one a fragment
-      plot_fragments(survey, colour, keep, observer);
-  for (const ivec2 p : PixelsOf(window)) {
+  expect_drawable(window, places);
+  Survey all(scene, window, places);
+  mark_crossed(all, observer);
+  all.make_samples();
+  take_samples(all, observer);
+  // As adaptive draws it
+  auto first = picture(all, colour, observer);
+  for (ivec2 p : pixels(window)) {
     auto light = first[p];
     // Unlike one of its neighbours?
-    const double most =  // of four
-        first.contrast_at(p, contrast);
-    bool refined = most > threshold;
-    if constexpr (observed<O>) observer(Contrasted{p, most, refined});
+    auto d = first.max(p, contrast);
+    bool& refined = all[p].refined;
+    refined = d > threshold;
+    if constexpr (observed<O>) observer(Contrasted{p, d, refined});
     // Then a colour a sample
-    if (refined && light.share > 0) {
-      light = mix_each(survey, p, colour, observer);
-      colours += samples_of(light, survey);
+    if (refined) {
+      light = blend(all, p, colour, observer);
     }
-    const auto [sum, share] = light;
-    if (share > 0) plot(p, sum, share);
+    auto& [sum, share] = light;
+    if (share > 0) {
+      plot(p, sum, share);
+    }
   }
-  if constexpr (observed<O>) observer(Finished{survey.pixels(), survey.crossed(), tests, colours});
+  if constexpr (observed<O>) observer(Finished{all.pixels(), all.crossed(), all.tests(), colours_of(all)});
 }
 
 }  // namespace gradus::adaptive

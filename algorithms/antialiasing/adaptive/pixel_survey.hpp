@@ -12,6 +12,7 @@
 #include "antialiasing/adaptive/sample_places.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
+#include "core/pixels.hpp"
 #include "core/raster.hpp"
 #include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 
@@ -44,10 +45,19 @@ enum class Order {
 
 /// A triangle that can be asked.
 struct Prepared {
+  int id;  ///< its number among all
   Edges edges;
   Depth depth;
   Window box;  ///< the pixels of the window that its box touches
+
+  /// How deep it is at a place of the picture, where its edge functions have the values w.
+  constexpr double z(ivec2 at, const Weights& w) const { return depth.at(at, w); }
+  constexpr double z(ivec2 at) const { return z(at, weights_at_place(edges, at)); }
 };
+/// Its edge functions at a place of the picture.
+constexpr Weights weights(const Prepared& t, ivec2 at) { return weights_at_place(t.edges, at); }
+/// Whether it covers the place at which its edge functions have these values.
+constexpr bool holds(const Prepared& t, const Weights& w) { return holds(t.edges, w); }
 
 /// The pixels whose squares the box round a triangle touches.
 constexpr Window touched(const triangle_coverage::Triangle& t, const Window& window) {
@@ -56,34 +66,9 @@ constexpr Window touched(const triangle_coverage::Triangle& t, const Window& win
   return intersection({{left >> 8, top >> 8}, {right >> 8, bottom >> 8}}, window);
 }
 
-/// The pixels of a window, row by row.
-class PixelsOf {
- public:
-  explicit constexpr PixelsOf(const Window& window) : window_(window) {}
-
-  struct Place {
-    ivec2 pixel;
-    int left, right;
-    constexpr ivec2 operator*() const { return pixel; }
-    constexpr Place& operator++() {
-      const bool ends = pixel.x == right;
-      pixel = ends ? ivec2{left, pixel.y + 1} : ivec2{pixel.x + 1, pixel.y};
-      return *this;
-    }
-    constexpr bool operator!=(const Place& other) const { return pixel.y != other.pixel.y; }
-  };
-  constexpr Place begin() const {
-    const auto [lower, upper] = window_;
-    return {{lower.x, window_.empty() ? upper.y + 1 : lower.y}, lower.x, upper.x};
-  }
-  constexpr Place end() const {
-    const auto [lower, upper] = window_;
-    return {{lower.x, upper.y + 1}, lower.x, upper.x};
-  }
-
- private:
-  Window window_;
-};
+/// The pixels that the box round a triangle touches.
+constexpr Pixels pixels(const Prepared& t) { return Pixels(t.box); }
+using gradus::pixels;
 
 /// A triangle without area touches nothing.
 inline std::vector<Prepared> prepare(std::span<const ScreenTriangle> triangles, const Window& window) {
@@ -94,15 +79,15 @@ inline std::vector<Prepared> prepare(std::span<const ScreenTriangle> triangles, 
     expects(triangle_coverage::near_enough(corners), "a corner of a triangle lies more than {} pixels out",
             triangle_coverage::farthest);
     const bool flat = triangle_coverage::doubled_area(corners) == 0;
-    all.push_back(
-        {triangle_coverage::edges_of(corners), Depth(triangle), flat ? Window{} : touched(corners, window)});
+    all.push_back({static_cast<int>(all.size()), triangle_coverage::edges_of(corners), Depth(triangle),
+                   flat ? Window{} : touched(corners, window)});
   }
   return all;
 }
 
 /// What a sample shows.
 struct Sample {
-  double depth = std::numeric_limits<double>::infinity();
+  double z = std::numeric_limits<double>::infinity();
   int triangle = nobody;
 };
 
@@ -110,6 +95,7 @@ struct Sample {
 struct Pixel {
   int front = nobody;     ///< the nearest triangle that covers it whole, while it is not crossed
   bool crossed = false;   ///< takes all samples
+  bool refined = false;   ///< takes a colour a sample
   std::size_t first = 0;  ///< of its samples
 };
 
@@ -138,8 +124,8 @@ constexpr ivec2 colour_place(const Edges& edges, ivec2 pixel, std::span<const iv
 /// The triangles, the pixels of a window, and the samples of those that are crossed.
 class Survey {
  public:
-  Survey(std::span<const Prepared> triangles, const Window& window, std::span<const ivec2> places)
-      : triangles_(triangles),
+  Survey(std::span<const ScreenTriangle> triangles, const Window& window, std::span<const ivec2> places)
+      : triangles_(prepare(triangles, window)),
         window_(window),
         places_(places),
         pixels_(static_cast<int>(std::max<std::int64_t>(0, window.width())),
@@ -150,6 +136,7 @@ class Survey {
   const Window& window() const { return window_; }
   std::span<const ivec2> places() const { return places_; }
   std::int64_t pixels() const { return std::ssize(pixels_.cells()); }
+  /// How many a crossed pixel takes.
   int samples() const { return static_cast<int>(places_.size()); }
   Pixel& operator[](ivec2 p) { return pixels_[p - window_.lower]; }
   const Pixel& operator[](ivec2 p) const { return pixels_[p - window_.lower]; }
@@ -166,49 +153,47 @@ class Survey {
     }
     samples_.assign(first, {});
   }
-  /// None for a pixel that is not crossed.
-  std::span<Sample> samples(ivec2 p) {
+  /// The samples of a pixel: none where it is not crossed.
+  std::span<Sample> at(ivec2 p) {
     const Pixel& pixel = (*this)[p];
     return std::span(samples_).subspan(pixel.first, pixel.crossed ? places_.size() : 0);
   }
-  std::span<const Sample> samples(ivec2 p) const {
+  std::span<const Sample> at(ivec2 p) const {
     const Pixel& pixel = (*this)[p];
     return std::span(samples_).subspan(pixel.first, pixel.crossed ? places_.size() : 0);
   }
-  /// The edge functions of a triangle at a place of a pixel, or at one of its samples.
-  Weights weights_at(int i, ivec2 p, ivec2 place) const {
-    return weights_at_place(triangle(i).edges, place_in(p, place));
-  }
-  Weights weights(int i, ivec2 p, int sample) const {
-    return weights_at(i, p, places_[static_cast<std::size_t>(sample)]);
-  }
-  /// How deep a triangle is at a place of a pixel.
-  double depth_at(int i, ivec2 p, ivec2 place) const {
-    return triangle(i).depth.at(place_in(p, place), weights_at(i, p, place));
+  /// Which of its pixel's samples this is.
+  int number(ivec2 p, const Sample& sample) const { return static_cast<int>(&sample - at(p).data()); }
+  /// Where it lies in the picture.
+  ivec2 place(ivec2 p, const Sample& sample) const { return place_in(p, place(number(p, sample))); }
+  /// Where a sample lies in its pixel.
+  ivec2 place(int sample) const { return places_[static_cast<std::size_t>(sample)]; }
+
+  /// The edge functions of a triangle at a place of a pixel.
+  Weights weights(int i, ivec2 p, ivec2 place) const {
+    return adaptive::weights(triangle(i), place_in(p, place));
   }
   /// Where a fragment is coloured: in the centre of the pixel if the triangle covers it, else at the covered
   /// sample that is nearest to it, so that no colour comes from beyond an edge.
-  ivec2 colour_place(int i, ivec2 p) const { return adaptive::colour_place(triangle(i).edges, p, places_); }
-  /// Compares a triangle with the one before it at every sample. At equal depth the one before stays.
-  Order order(int next, int before, ivec2 p) const {
-    if (before == nobody) return Order::nearer;
-    std::size_t nearer = 0;
-    for (const ivec2 place : places_) {
-      nearer += depth_at(next, p, place) < depth_at(before, p, place);
-    }
-    return nearer == 0 ? Order::behind : nearer == places_.size() ? Order::nearer : Order::changing;
-  }
+  ivec2 colour_at(int i, ivec2 p) const { return adaptive::colour_place(triangle(i).edges, p, places_); }
   /// The triangle that a sample shows.
   int shown(ivec2 p, int sample) const {
     const Pixel& pixel = (*this)[p];
-    return pixel.crossed ? samples(p)[static_cast<std::size_t>(sample)].triangle : pixel.front;
+    return pixel.crossed ? at(p)[static_cast<std::size_t>(sample)].triangle : pixel.front;
   }
-  ivec2 place(ivec2 p, int sample) const { return place_in(p, place(sample)); }
-  ivec2 place(int sample) const { return places_[static_cast<std::size_t>(sample)]; }
+
   std::int64_t crossed() const { return std::ssize(samples_) / std::max(1, samples()); }
+  /// How often a triangle is tested at a sample.
+  std::int64_t tests() const {
+    std::int64_t all = 0;
+    for (const Prepared& t : triangles_) {
+      for (const ivec2 p : adaptive::pixels(t)) all += std::ssize(at(p));
+    }
+    return all;
+  }
 
  private:
-  std::span<const Prepared> triangles_;
+  std::vector<Prepared> triangles_;
   Window window_;
   std::span<const ivec2> places_;
   Raster<Pixel> pixels_;
@@ -229,8 +214,8 @@ constexpr Range range_over(const Edge& edge, ivec2 pixel) {
           corner + std::max<std::int64_t>(right, 0) + std::max<std::int64_t>(down, 0)};
 }
 
-/// What a triangle does to a pixel. Whatever place its samples have, inside means that all are covered, and
-/// outside that none is.
+/// What a triangle does to a pixel: inside means that it covers every place in it, outside that it covers
+/// none.
 constexpr Cover cover_of(const Edges& edges, ivec2 pixel) {
   using triangle_coverage::belongs;
   bool crossed = false;
@@ -242,5 +227,6 @@ constexpr Cover cover_of(const Edges& edges, ivec2 pixel) {
   }
   return crossed ? Cover::crossed : Cover::inside;
 }
+constexpr Cover cover_of(const Prepared& t, ivec2 pixel) { return cover_of(t.edges, pixel); }
 
 }  // namespace gradus::adaptive

@@ -12,12 +12,12 @@ double contrast_of(const Light<double>& a, const Light<double>& b);
 
 extern "C" {
 [[gnu::flatten]] void machine_code_mark_crossed(Survey& survey) { mark_crossed(survey); }
-[[gnu::flatten]] std::int64_t machine_code_take_samples(Survey& survey) { return take_samples(survey); }
+[[gnu::flatten]] void machine_code_take_samples(Survey& survey) { take_samples(survey); }
 [[gnu::flatten]] double machine_code_mix(const Survey& survey, ivec2 p, std::span<const Fragment> fragments) {
   return mix(survey, p, fragments, colour_of).sum;
 }
-[[gnu::flatten]] double machine_code_mix_each(const Survey& survey, ivec2 p) {
-  return mix_each(survey, p, colour_of).sum;
+[[gnu::flatten]] double machine_code_blend(const Survey& survey, ivec2 p) {
+  return blend(survey, p, colour_of).sum;
 }
 [[gnu::flatten]] void machine_code_adaptive(std::span<const ScreenTriangle> triangles, const Window& window,
                                             std::span<const ivec2> samples) {

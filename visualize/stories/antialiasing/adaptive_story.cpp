@@ -26,7 +26,7 @@ class Story {
     paper_.put_frames(base_, words_);
     if (everywhere_) {
       open_large();
-      for (const ivec2 p : PixelsOf(subject_.picture())) paper_.put_number(base_, p, subject_.count, true);
+      for (const ivec2 p : pixels(subject_.picture())) paper_.put_number(base_, p, subject_.count, true);
     }
     next(board, base_);
   }
@@ -336,7 +336,8 @@ void tell_adaptive(Narrator& narrator) {
                    {Role::rejected, "rejected"},
                    {Role::measure, "measure"},
                    {Role::candidate, "equal"}});
-  narrator.list("mark_crossed");
+  narrator.list("order_of");
+  narrator.list_below("mark_crossed");
   narrator.list_below("take_samples");
   narrator.list_below("mix");
   tell_mixing(narrator, false, [](const Subject& s, const auto& colour, const auto& plot, const auto& watch) {
