@@ -80,7 +80,7 @@ constexpr Mask half_plane(const Edge& edge, ivec2 pixel) {
 /// The sub-samples of a pixel that a triangle covers: those on the inner side of all three edges, by the
 /// top-left rule.
 ///
-/// edges: by edges_of. pixel: any of which the triangle's box has a part, or another.
+/// edges: by edges_of. p: any pixel of which the triangle's box has a part, or another.
 ///
 /// Domain: corners and pixel at most `triangle_coverage::farthest` pixels from 0. A triangle without area
 ///   covers nothing.
@@ -89,13 +89,13 @@ constexpr Mask half_plane(const Edge& edge, ivec2 pixel) {
 /// Cost: three half-planes, two ands.
 /// Errors: none.
 template <Observer<HalfPlane> O = Unobserved>
-constexpr Mask mask_of(const Edges& edges, ivec2 pixel, O&& observer = {}) {
+constexpr Mask mask_of(const Edges& edges, ivec2 p, O&& observer = {}) {
   Mask mask = full;
   for (const Edge& edge : edges) {
-    // What lies on its inner side remains
-    auto inside = half_plane(edge, pixel);
-    mask &= inside;
-    if constexpr (observed<O>) observer(HalfPlane{edge, inside, mask});
+    // Keep what lies inside of it
+    auto in = half_plane(edge, p);
+    mask &= in;
+    if constexpr (observed<O>) observer(HalfPlane{edge, in, mask});
   }
   return mask;
 }
@@ -172,6 +172,42 @@ constexpr void merge(std::vector<Fragment>& sorted) {
   if (!sorted.empty()) sorted.resize(kept + 1);
 }
 
+// --- Steps -------------------------------------------------------
+
+/// The list is sorted by nearest depths.
+struct Sorted {
+  std::vector<Fragment> list;
+};
+/// Where depths overlap, sub-samples have been compared: the list goes front to back at each of them.
+struct Ordered {
+  std::vector<Fragment> list;
+  std::size_t parts;  ///< by how many it has grown, where surfaces cross
+};
+/// What abuts on one surface has become one.
+struct Merged {
+  std::vector<Fragment> list;
+};
+/// A fragment was compared with what is covered.
+struct Masked {
+  std::size_t number;
+  Fragment fragment;
+  Mask covered, visible;
+};
+/// It has got its share.
+struct Weighed {
+  std::size_t number;
+  Fragment fragment;
+  Mask visible;
+  double weight;
+  Mask covered;
+  double left;  ///< for what is behind
+};
+/// The pixel is full, or the list at its end.
+struct Finished {
+  std::size_t used, listed;  ///< fragments
+  double left;               ///< for the background
+};
+
 // --- Their order -------------------------------------------------
 
 /// Of two fragments whose depths overlap the one that begins in front is in front: all that can be said where
@@ -218,6 +254,7 @@ struct Blockers {
 struct Unplaced {
   std::vector<Fragment> list;
   std::vector<Blockers> blockers;
+  std::size_t given = 0;  ///< fragments of the list that these are of
 
   constexpr Unplaced(std::span<const Fragment> sorted, auto& before)
       : list(sorted.begin(), sorted.end()), blockers(list.size()) {
@@ -226,6 +263,12 @@ struct Unplaced {
         if (j != i) blockers[i].add(ahead(list[j], list[i], before), 1);
     }
   }
+  /// Moves all to a list, each when no other that is left lies before it.
+  constexpr void append_to(std::vector<Fragment>& order, auto& before) {
+    while (!list.empty()) order.push_back(taken(before));
+  }
+
+ private:
   /// Takes the first off that no other lies before at any sub-sample. Where there is none, for surfaces
   /// cross, it is the part of the first that is open in part.
   constexpr Fragment taken(auto& before) {
@@ -238,8 +281,6 @@ struct Unplaced {
     const std::size_t i = in_part.value_or(0);
     return taken(i, in_part ? blockers[i].open(list[i].mask) : list[i].mask, before);
   }
-
- private:
   constexpr Fragment taken(std::size_t number, Mask open, auto& before) {
     Fragment part = list[number];
     part.mask = open;
@@ -254,17 +295,27 @@ struct Unplaced {
   }
 };
 
+/// Leaves a list sorted by nearest depths with what has its place in front, and returns the others.
+constexpr Unplaced others(std::vector<Fragment>& sorted, auto& before) {
+  const std::span<const Fragment> all = sorted;
+  std::size_t placed = 0;
+  while (placed < all.size() && first_is_foremost(all.subspan(placed), before)) ++placed;
+  Unplaced rest{all.subspan(placed), before};
+  rest.given = all.size();
+  sorted.resize(placed);
+  return rest;
+}
+
 /// Brings a list sorted by nearest depths into one that goes front to back at every sub-sample. Surfaces that
 /// cross in the pixel have no such order: of these a fragment is parted where they do, the nearer part first.
-/// Returns how many parts more there are. Cost: at most the square of as many as there are in the end.
-constexpr std::size_t put_in_order(std::vector<Fragment>& sorted, auto& before) {
-  const std::size_t given = sorted.size();
-  std::size_t placed = 0;
-  while (placed < given && first_is_foremost(std::span(sorted).subspan(placed), before)) ++placed;
-  Unplaced rest{std::span(sorted).subspan(placed), before};
-  sorted.resize(placed);
-  while (!rest.list.empty()) sorted.push_back(rest.taken(before));
-  return sorted.size() - given;
+/// Steps: Ordered. Cost: at most the square of as many as there are in the end.
+template <class Before, Observer<Ordered> O = Unobserved>
+constexpr void put_in_order(std::vector<Fragment>& list, Before& before, O&& observer = {}) {
+  // The foremost keep their places
+  auto rest = others(list, before);
+  // Then what none left lies before
+  rest.append_to(list, before);
+  if constexpr (observed<O>) observer(Ordered{list, list.size() - rest.given});
 }
 
 // --- Light -------------------------------------------------------
@@ -284,23 +335,29 @@ class Light {
   }
   /// What a fragment takes of it: the share of the pixel that is seen in its colour. mask: where it is seen.
   constexpr double take(Mask mask, double opacity) {
-    double taken = 0;
-    for (std::size_t i = 0, n = count_; i < n && mask != 0; ++i) {
-      const Mask in = parts_[i].mask & mask, out = parts_[i].mask & ~mask;
+    double w = 0;
+    for (Part& part : parts()) {
+      // The fragment cuts it in two
+      auto in = part.mask & mask;
+      auto out = part.mask & ~mask;
       if (in == 0) continue;
-      taken += parts_[i].seen * opacity * area_of(in);
-      if (out != 0) parts_[count_++] = {out, parts_[i].seen};
-      parts_[i] = {in, parts_[i].seen * (1 - opacity)};
+      const auto s = part.seen;
+      if (out != 0) add(out, s);
+      w += s * opacity * area_of(in);
+      part = {in, s * (1 - opacity)};
     }
     if (opacity == 1) cover(mask);
-    return taken;
+    return w;
   }
+  constexpr double take(Mask mask, const Fragment& f) { return take(mask, f.opacity); }
 
  private:
   struct Part {
     Mask mask;
     double seen;
   };
+  constexpr std::span<Part> parts() { return {parts_.data(), count_}; }
+  constexpr void add(Mask mask, double seen) { parts_[count_++] = {mask, seen}; }
   constexpr void cover(Mask mask) {
     covered_ |= mask;
     const auto gone = [&](const Part& part) { return (part.mask & ~covered_) == 0; };
@@ -313,45 +370,23 @@ class Light {
   Mask covered_ = 0;
 };
 
-// --- Steps -------------------------------------------------------
-
-/// The list is sorted by nearest depths.
-struct Sorted {
-  std::vector<Fragment> list;
-};
-/// Where depths overlap, sub-samples have been compared: the list goes front to back at each of them.
-struct Ordered {
-  std::vector<Fragment> list;
-  std::size_t parts;  ///< by how many it has grown, where surfaces cross
-};
-/// What abuts on one surface has become one.
-struct Merged {
-  std::vector<Fragment> list;
-};
-/// A fragment was compared with what is covered.
-struct Masked {
-  std::size_t number;
-  Fragment fragment;
-  Mask covered, visible;
-};
-/// It has got its share.
-struct Weighed {
-  std::size_t number;
-  Fragment fragment;
-  Mask visible;
-  double weight;
-  Mask covered;
-  double left;  ///< for what is behind
-};
-/// The pixel is full, or the list at its end.
-struct Finished {
-  std::size_t used, listed;  ///< fragments
-  double left;               ///< for the background
-};
-
 // --- The taught method -------------------------------------------
 
 constexpr bool is_share(double x) { return 0 <= x && x <= 1; }
+
+/// Where a fragment stands in its list.
+constexpr std::size_t index(std::span<const Fragment> list, const Fragment& f) {
+  return static_cast<std::size_t>(&f - list.data());
+}
+/// How many fragments, front to back, it takes until the pixel is full: all where they never fill it.
+/// hides(fragment): the sub-samples at which it lets nothing through.
+constexpr std::size_t used_of(std::span<const Fragment> list, const auto& hides) {
+  Mask covered = 0;
+  std::size_t used = 0;
+  while (used < list.size() && covered != full) covered |= hides(list[used++]);
+  return used;
+}
+constexpr Mask opaque_part(const Fragment& f) { return f.opacity == 1 ? f.mask : 0; }
 
 /// Gives each fragment of a pixel the share of it that it is seen in, front to back, and stops when the pixel
 /// is full. Carpenter 1984, p. 106; where depths overlap he estimates, from the nearest and the farthest,
@@ -378,31 +413,28 @@ constexpr double resolve(std::vector<Fragment>& list, Take&& take, Before&& befo
   // By nearest depths
   std::ranges::sort(list, nearer);
   if constexpr (observed<O>) observer(Sorted{list});
-  // Front to back at each sub-sample
-  auto parts = put_in_order(list, before);
-  if constexpr (observed<O>) observer(Ordered{list, parts});
-  // What abuts on one surface is one
+  // Front to back at each sample
+  put_in_order(list, before, observer);
+  // What abuts on a surface is one
   merge(list);
   if constexpr (observed<O>) observer(Merged{list});
   Light light;
-  std::size_t used = 0;
   for (const Fragment& f : list) {
+    // Full: nothing behind is seen
+    auto covered = light.covered();
+    if (covered == full) break;
     expects(is_share(f.opacity), "an opacity lies between 0 and 1, got {}", f.opacity);
     // What nothing nearer hides
-    const Mask covered = light.covered();
-    const Mask visible = f.mask & ~covered;
-    if constexpr (observed<O>) observer(Masked{used, f, covered, visible});
-    // Its share of what is still seen
-    auto w = light.take(visible, f.opacity);
-    if constexpr (observed<O>) observer(Weighed{used, f, visible, w, light.covered(), light.left()});
+    auto seen = f.mask & ~covered;
+    if constexpr (observed<O>) observer(Masked{index(list, f), f, covered, seen});
+    // Its share of the light left
+    auto w = light.take(seen, f);
+    if constexpr (observed<O>) observer(Weighed{index(list, f), f, seen, w, light.covered(), light.left()});
     if (w > 0) take(f, w);
-    used += 1;
-    // Full: nothing behind is seen
-    if (light.covered() == full) break;
   }
-  // The background shows through the rest
+  // The background has the rest
   const double left = light.left();
-  if constexpr (observed<O>) observer(Finished{used, list.size(), left});
+  if constexpr (observed<O>) observer(Finished{used_of(list, opaque_part), list.size(), left});
   return 1 - left;
 }
 

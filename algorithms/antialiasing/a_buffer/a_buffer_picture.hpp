@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "antialiasing/a_buffer/a_buffer.hpp"
+#include "core/pixels.hpp"
 
 namespace gradus::a_buffer {
 
@@ -25,24 +26,29 @@ struct Memory {
 class Lists {
  public:
   explicit Lists(const Window& window)
-      : window_(window), first_(static_cast<std::size_t>(window.width() * window.height()), none) {}
+      : window_(window.empty() ? Window{} : window),
+        first_(static_cast<std::size_t>(window_.width() * window_.height()), none) {}
 
+  const Window& window() const { return window_; }
   void add(ivec2 pixel, const Fragment& fragment) {
     auto& first = first_[index(pixel)];
     links_.push_back({fragment, first});
     first = static_cast<std::int32_t>(links_.size() - 1);
   }
-  /// A pixel's list, in no order.
-  void copy(ivec2 pixel, std::vector<Fragment>& list) const {
-    list.clear();
+  /// A copy of a pixel's list, in no order, until the next one is asked for.
+  std::vector<Fragment>& at(ivec2 pixel) {
+    list_.clear();
     for (auto i = first_[index(pixel)]; i != none; i = links_[static_cast<std::size_t>(i)].next)
-      list.push_back(links_[static_cast<std::size_t>(i)].fragment);
+      list_.push_back(links_[static_cast<std::size_t>(i)].fragment);
+    longest_ = std::max(longest_, std::ssize(list_));
+    return list_;
   }
-  /// What they take, but for the longest one.
+  /// What they take. The longest list is one of those asked for.
   Memory memory() const {
-    const auto held = std::ssize(links_);
+    const std::int64_t held = std::ssize(links_);
     return {.pixels = std::ssize(first_) - std::ranges::count(first_, none),
             .fragments = held,
+            .longest = longest_,
             .mask_bytes = held * std::int64_t{sizeof(Mask)},
             .bytes = held * std::int64_t{sizeof(Link)} + std::ssize(first_) * std::int64_t{sizeof(none)}};
   }
@@ -60,7 +66,9 @@ class Lists {
 
   Window window_;
   std::vector<std::int32_t> first_;
-  std::vector<Link> links_;
+  std::vector<Link> links_{};
+  std::vector<Fragment> list_{};
+  std::ptrdiff_t longest_ = 0;
 };
 
 /// The pixels of the window into which the box round a triangle reaches.
@@ -114,9 +122,14 @@ constexpr ivec2 shading_place(const Edges& edges, Mask mask, ivec2 pixel) {
   return best;
 }
 
-/// The weights of a triangle's corners there.
-constexpr Weights shading_weights(const ScreenTriangle& triangle, ivec2 pixel) {
-  const Edges edges = edges_of(triangle.corners);
+/// The triangle that a fragment is of.
+constexpr const ScreenTriangle& source_of(const Fragment& f, std::span<const ScreenTriangle> triangles) {
+  return triangles[static_cast<std::size_t>(f.source)];
+}
+
+/// The weights of a fragment's corners there.
+constexpr Weights weigh(std::span<const ScreenTriangle> scene, const Fragment& f, ivec2 pixel) {
+  const Edges edges = edges_of(source_of(f, scene).corners);
   return weights_at_place(edges, shading_place(edges, mask_of(edges, pixel), pixel));
 }
 
@@ -174,11 +187,6 @@ constexpr void leave_out_hidden(std::vector<Fragment>& list) {
 template <class Colour>
 using ValueOf = std::remove_cvref_t<std::invoke_result_t<Colour&, int, ivec2, const Weights&>>;
 
-/// The triangle that a fragment is of.
-constexpr const ScreenTriangle& source_of(const Fragment& f, std::span<const ScreenTriangle> triangles) {
-  return triangles[static_cast<std::size_t>(f.source)];
-}
-
 /// Which of two triangles lies in front in a pixel: the depth of their planes at each sub-sample says so, and
 /// where it is equal the lower surface number is in front, then the lower triangle.
 class NearerAt {
@@ -202,9 +210,12 @@ class NearerAt {
   ivec2 pixel_;
 };
 
-/// What all fragments of a triangle have.
-constexpr Fragment alike(int triangle, auto&& surface, auto&& opacity) {
-  return {.opacity = opacity(triangle), .surface = surface(triangle), .source = triangle};
+/// Adds the fragments of all triangles.
+void add(Lists& lists, std::span<const ScreenTriangle> scene, auto& surface, auto& opacity) {
+  for (int t = 0; t < std::ssize(scene); ++t) {
+    const Fragment like{.opacity = opacity(t), .surface = surface(t), .source = t};
+    list_fragments(lists, scene[static_cast<std::size_t>(t)], lists.window(), like);
+  }
 }
 
 /// Draws triangles with an A-buffer: a list of fragments for each pixel, then each list front to back.
@@ -228,37 +239,28 @@ constexpr Fragment alike(int triangle, auto&& surface, auto&& opacity) {
 ///   The memory is returned.
 /// Errors: ContractViolation for what lies too far out, for opacities not between 0 and 1.
 template <class Colour, class Plot, class Surface = OwnSurface, class Opacity = Opaque>
-Memory a_buffer(std::span<const ScreenTriangle> triangles, const Window& window, Colour&& colour, Plot&& plot,
-                Surface&& surface = {}, Opacity&& opacity = {}) {
-  Lists lists(window.empty() ? Window{} : window);
-  // A fragment for each pixel it reaches
-  int t = 0;
-  for (const auto& triangle : triangles) {
-    const Fragment like = alike(t, surface, opacity);
-    list_fragments(lists, triangle, window, like);
-    t += 1;
+Memory a_buffer(std::span<const ScreenTriangle> scene, const Window& window, Colour&& colour, Plot&& plot,
+                Surface&& surface = {}, Opacity&& alpha = {}) {
+  Lists lists(window);
+  // To each pixel what reaches it
+  add(lists, scene, surface, alpha);
+  for (ivec2 p : pixels(window)) {
+    auto& list = lists.at(p);
+    if (list.empty()) continue;
+    leave_out_hidden(list);
+    // Those seen, by their weights
+    ValueOf<Colour> sum{};
+    auto add = [&](auto f, auto w) {
+      auto at = weigh(scene, f, p);
+      const int t = f.source;
+      sum += w * colour(t, p, at);
+    };
+    // Front to back
+    NearerAt z(scene, p);
+    auto a = resolve(list, add, z);
+    plot(p, sum, a);
   }
-  Memory memory = lists.memory();
-  std::vector<Fragment> list;
-  for (int y = window.lower.y; y <= window.upper.y; ++y) {
-    for (int x = window.lower.x; x <= window.upper.x; ++x) {
-      const ivec2 pixel{x, y};
-      lists.copy(pixel, list);
-      if (list.empty()) continue;
-      memory.longest = std::max(memory.longest, std::int64_t{std::ssize(list)});
-      // Those that are seen, by weight
-      ValueOf<Colour> sum{};
-      const auto add = [&](const Fragment& f, double weight) {
-        auto& triangle = source_of(f, triangles);
-        auto at = shading_weights(triangle, pixel);
-        sum += weight * colour(f.source, pixel, at);
-      };
-      leave_out_hidden(list);
-      const double covered = resolve(list, add, NearerAt(triangles, pixel));
-      plot(pixel, sum, covered);
-    }
-  }
-  return memory;
+  return lists.memory();
 }
 
 }  // namespace gradus::a_buffer

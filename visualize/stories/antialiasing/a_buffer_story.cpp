@@ -387,6 +387,9 @@ void tell_list(Narrator& narrator, std::vector<Column> columns, Run run) {
 }
 
 void tell_resolve(Narrator& narrator) {
+  narrator.list("put_in_order");
+  narrator.list_below("take");
+  narrator.list_below("resolve");
   tell_list(
       narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"weight"}, {"left"}},
       [](auto& list, const auto& watch, const auto& pieces) { resolve(list, drop, Nearer(pieces), watch); });

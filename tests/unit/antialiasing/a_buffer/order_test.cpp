@@ -315,7 +315,7 @@ TEST(ABufferOrder, WhatIsInOrderStaysWhole) {
   auto before = [](const Fragment& a, const Fragment& b, Mask common) {
     return a.source > b.source ? common : 0;
   };
-  EXPECT_EQ(put_in_order(list, before), 0u);
+  put_in_order(list, before);
   EXPECT_THAT(list, testing::ElementsAre(Fragment{full, 2, 4, 1, 1, 1}, Fragment{0xf0f0f0f0, 1, 3, 1, 0, 0}));
 }
 
@@ -382,7 +382,7 @@ TEST(ABufferOrder, IsThatOfTheDefinition) {
     std::ranges::sort(list, nearer);
     const auto right = in_plain_order(list, depths);
     const auto given = list;
-    EXPECT_EQ(put_in_order(list, depths), right.size() - given.size());
+    put_in_order(list, depths);
     EXPECT_EQ(list, right);
     parted += right.size() > given.size();
     moved += right != given;
@@ -401,7 +401,7 @@ TEST(ABufferOrder, OfLongListsAsksForEachPairAFewTimes) {
     ++asked;
     return a.source > b.source ? common : 0;
   };
-  EXPECT_EQ(put_in_order(list, before), 0u);
+  put_in_order(list, before);
   EXPECT_TRUE(std::ranges::is_sorted(list, std::greater{}, &Fragment::source));
   EXPECT_LT(asked, 3 * count * count);
 }
@@ -472,9 +472,10 @@ TEST(ABufferNotes, RangesOfDepthAreNoCrossing) {
   EXPECT_THAT(weights_of(list, estimate), testing::ElementsAre(0.75, 0.25));
   EXPECT_THAT(weights_of(list, taught), testing::ElementsAre(1));
   // Two that overlap altogether, and one that only touches
-  EXPECT_EQ(crossing(std::vector<Fragment>{{full, 0, 1, 1, 0, 0}, {full, 0, 1, 1, 1, 1}}, 0).front, 0.5);
-  EXPECT_EQ(crossing(std::vector<Fragment>{{full, 0, 1, 1, 0, 0}, {full, 1, 2, 1, 1, 1}}, 0).mask, 0u);
-  EXPECT_EQ(crossing(std::vector<Fragment>{{full, 0, 1, 1, 0, 0}, {full, 0, 1, 1, 0, 1}}, 0).mask, 0u);
+  const auto of_first = [](const std::vector<Fragment>& sorted) { return crossing(sorted, sorted[0]); };
+  EXPECT_EQ(of_first({{full, 0, 1, 1, 0, 0}, {full, 0, 1, 1, 1, 1}}).front, 0.5);
+  EXPECT_EQ(of_first({{full, 0, 1, 1, 0, 0}, {full, 1, 2, 1, 1, 1}}).mask, 0u);
+  EXPECT_EQ(of_first({{full, 0, 1, 1, 0, 0}, {full, 0, 1, 1, 0, 1}}).mask, 0u);
 }
 
 }  // namespace
