@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <ranges>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/pixels.hpp"
 
 namespace gradus::supersampling {
 
@@ -49,8 +51,33 @@ struct ScalarOf<glm::vec<N, T>> {
 };
 
 /// What the scene answers.
-template <class ColourAt>
-using ValueOf = std::remove_cvref_t<std::invoke_result_t<const ColourAt&, dvec2>>;
+template <class Scene>
+using ValueOf = std::remove_cvref_t<std::invoke_result_t<const Scene&, dvec2>>;
+
+/// A filter's weight at a distance d/2 from the pixel's middle, in cells of 1/n pixel: d is |2 i + 1 - n| for
+/// cell i, a whole number. Within the filter's reach positive.
+template <class T>
+T weight_at(Filter filter, int d, int n) {
+  using enum Filter;
+  if (filter == box) return T(1);
+  // 0 a pixel away, times 2 n
+  if (filter == tent) {
+    return T(2 * n - d);
+  }
+  // A bell: sigma is 1/2 pixel
+  const double x = d / (2.0 * n);
+  return T(gradus::exp(-2 * x * x));
+}
+
+/// How many cells beyond a pixel, on each side, its filter takes.
+constexpr int reach_of(Filter filter, int n) {
+  return filter == Filter::box ? 0 : filter == Filter::tent ? n / 2 : n;
+}
+
+/// The cells that the pixels of a window need. Domain: a window that is not empty.
+constexpr Window cells_of(const Window& window, int n, int reach) {
+  return {window.lower * n - reach, (window.upper + 1) * n - 1 + reach};
+}
 
 /// A cell round a pixel, counted from the pixel's first, and what it counts.
 template <class T>
@@ -59,46 +86,36 @@ struct Weighed {
   T weight;
 };
 
-/// The cells that a pixel's filter takes, row by row. Weights of box and tent are whole numbers, so that they
-/// add up exactly.
+/// The cells that a pixel's filter takes, row by row, with the weights of a filter for n x n samples a pixel:
+/// the product of those of both axes. Weights of box and tent are whole numbers, so that they add up exactly.
+/// Domain: 1 <= n <= most.
+/// Accuracy: box and tent exact, Gaussian within 31 u of each weight, u = 2^-53.
 template <class T>
 struct Kernel {
+  Filter filter;
   int n;      ///< cells a pixel
   int reach;  ///< cells beyond the pixel, on each side
   std::vector<Weighed<T>> cells;
-  T total;  ///< of all weights
-};
+  T total{0};  ///< of all weights
 
-/// A filter's weight at a distance from the pixel's middle, in cells of 1/n pixel times 2: |2 i + 1 - n| for
-/// cell i, a whole number. Within the filter's reach positive.
-template <class T>
-T weight_at(Filter filter, int doubled_distance, int n) {
-  if (filter == Filter::box) return T(1);
-  if (filter == Filter::tent) return T(2 * n - doubled_distance);
-  const double pixels = doubled_distance / (2.0 * n);
-  return T(gradus::exp(-2 * pixels * pixels));  // e^(-d^2 / (2 sigma^2)), sigma 1/2
-}
-
-/// How many cells beyond a pixel, on each side, its filter takes.
-constexpr int reach_of(Filter filter, int n) {
-  return filter == Filter::box ? 0 : filter == Filter::tent ? n / 2 : n;
-}
-
-/// The weights of a filter for n x n samples a pixel: the product of those of both axes.
-/// Domain: 1 <= n <= most.
-/// Accuracy: box and tent exact, Gaussian within 31 u of each weight, u = 2^-53.
-template <class T = double>
-Kernel<T> kernel_of(Filter filter, int n) {
-  const int reach = reach_of(filter, n);
-  Kernel<T> kernel{n, reach, {}, T(0)};
-  const auto along = [&](int i) { return weight_at<T>(filter, std::abs(2 * i + 1 - n), n); };
-  for (int j = -reach; j < n + reach; ++j) {
-    for (int i = -reach; i < n + reach; ++i) {
-      kernel.cells.push_back({{i, j}, along(i) * along(j)});
-      kernel.total += kernel.cells.back().weight;
+  Kernel(Filter f, int samples) : filter(f), n(samples), reach(reach_of(f, samples)) {
+    const auto along = [&](int i) { return weight_at<T>(filter, std::abs(2 * i + 1 - n), n); };
+    for (int j = -reach; j < n + reach; ++j) {
+      for (int i = -reach; i < n + reach; ++i) {
+        cells.push_back({{i, j}, along(i) * along(j)});
+        total += cells.back().weight;
+      }
     }
   }
-  return kernel;
+  auto begin() const { return cells.begin(); }
+  auto end() const { return cells.end(); }
+  /// The cells round the pixels of a window.
+  Window round(const Window& window) const { return cells_of(window, n, reach); }
+};
+
+template <class T = double>
+Kernel<T> kernel_of(Filter filter, int n) {
+  return Kernel<T>(filter, n);
 }
 
 /// Where the scene is asked for a cell: its middle, (2 cell + 1) / (2 n). For n = 1, 2, 4 … 64 a multiple of
@@ -114,11 +131,6 @@ struct Taken {
   std::int64_t asked = 0;  ///< samples of the scene
   std::int64_t kept = 0;   ///< values that were kept at once, at most
 };
-
-/// The cells that the pixels of a window need. Domain: a window that is not empty.
-constexpr Window cells_of(const Window& window, int n, int reach) {
-  return {window.lower * n - reach, (window.upper + 1) * n - 1 + reach};
-}
 
 /// What `supersample` takes for the pixels of a window: the rows of samples that one row of pixels needs.
 /// Domain: 1 <= n <= most.
@@ -172,30 +184,32 @@ struct Finished {
 
 // --- What both methods share -------------------------------------
 
-/// Samples of the scene in rows of cells. When all rows are taken, one that comes takes the place of the one
-/// that came first.
+/// Samples of the scene in rows of cells. When all rows that are kept are taken, one that comes takes the
+/// place of the one that came first.
 template <class Value>
 class Samples {
  public:
-  /// columns: the cells of each row. rows: as many as are kept.
-  Samples(const Window& columns, std::int64_t rows, int n)
-      : first_(columns.lower.x),
+  Samples(const Window& cells, int n, std::int64_t kept_rows)
+      : cells_(cells),
         n_(n),
-        columns_(static_cast<std::size_t>(columns.width())),
-        rows_(static_cast<std::size_t>(rows)),
+        columns_(static_cast<std::size_t>(cells.width())),
+        rows_(static_cast<std::size_t>(kept_rows)),
         values_(columns_ * rows_, Value(0)) {}
+  /// With room for all rows.
+  Samples(const Window& cells, int n) : Samples(cells, n, cells.height()) {}
 
+  auto rows() const { return std::views::iota(cells_.lower.y, cells_.upper.y + 1); }
   /// Asks the scene for a row.
-  template <class ColourAt>
-  void ask(int row, const ColourAt& colour_at) {
+  template <class Scene>
+  void ask(int row, const Scene& scene) {
     const std::size_t from = begin(row);
     for (std::size_t i = 0; i < columns_; ++i) {
-      values_[from + i] = colour_at(place_of({first_ + static_cast<int>(i), row}, n_));
+      values_[from + i] = scene(place_of({cells_.lower.x + static_cast<int>(i), row}, n_));
     }
     asked_ += static_cast<std::int64_t>(columns_);
   }
   const Value& at(ivec2 cell) const {
-    return values_[begin(cell.y) + static_cast<std::size_t>(cell.x - first_)];
+    return values_[begin(cell.y) + static_cast<std::size_t>(cell.x - cells_.lower.x)];
   }
   std::vector<Value> row(int row) const {
     const auto from = values_.begin() + static_cast<std::ptrdiff_t>(begin(row));
@@ -208,16 +222,43 @@ class Samples {
 
   std::size_t begin(int row) const { return static_cast<std::size_t>(row + offset) % rows_ * columns_; }
 
-  int first_, n_;
+  Window cells_;
+  int n_;
   std::size_t columns_, rows_;
   std::vector<Value> values_;
   std::int64_t asked_ = 0;
 };
 
-template <class Value>
-auto kernel_for(Filter filter, int n) {
-  return kernel_of<typename ScalarOf<Value>::type>(filter, n);
-}
+/// The rows of samples that one row of pixels needs, moving down the scene.
+template <class Scene>
+class Band {
+ public:
+  using Value = ValueOf<Scene>;
+
+  template <class T>
+  Band(const Window& window, const Kernel<T>& kernel, const Scene& scene)
+      : scene_(scene),
+        samples_(kernel.round(window), kernel.n, kernel.n + 2 * kernel.reach),
+        next_(kernel.round(window).lower.y),
+        n_(kernel.n),
+        reach_(kernel.reach) {}
+
+  /// Asks the scene for the rows of a pixel that are not there.
+  void ask_for(ivec2 pixel) {
+    for (const int end = (pixel.y + 1) * n_ + reach_; next_ < end; ++next_) samples_.ask(next_, scene_);
+  }
+  const Value& at(ivec2 cell) const { return samples_.at(cell); }
+  Taken taken() const { return samples_.taken(); }
+
+ private:
+  const Scene& scene_;
+  Samples<Value> samples_;
+  int next_, n_, reach_;
+};
+
+/// Kernels have weights of the type of a value's numbers.
+template <class Scene>
+using KernelFor = Kernel<typename ScalarOf<ValueOf<Scene>>::type>;
 
 inline void expect_task(const Window& window, int n) {
   expects(1 <= n && n <= most, "{} samples along an axis are not between 1 and {}", n, most);
@@ -228,6 +269,33 @@ inline void expect_task(const Window& window, int n) {
 
 // --- The taught method -------------------------------------------
 
+/// What supersample does with the kernel of its filter.
+template <class T, class Scene, class Plot, class Value = ValueOf<Scene>,
+          Observer<Started, Added<Value>, Filtered<Value>, Finished> O = Unobserved>
+Taken draw(const Window& window, const Kernel<T>& kernel, const Scene& scene, Plot&& plot,
+           O&& observer = {}) {
+  Band band(window, kernel, scene);
+  if constexpr (observed<O>) observer(Started{window, kernel.n, kernel.filter, kernel.reach});
+  for (ivec2 p : pixels(window)) {
+    // Each place is asked once
+    band.ask_for(p);
+    // Weigh the samples round p
+    Value sum(0);
+    for (auto& [at, w] : kernel) {
+      auto cell = p * kernel.n + at;
+      const Value c = band.at(cell);
+      sum += w * c;
+      if constexpr (observed<O>) observer(Added<Value>{p, cell, w, kernel.total, c, sum});
+    }
+    // All weights together count 1
+    auto mean = sum / kernel.total;
+    if constexpr (observed<O>) observer(Filtered<Value>{p, sum, mean});
+    plot(p, mean);
+  }
+  if constexpr (observed<O>) observer(Finished{band.taken()});
+  return band.taken();
+}
+
 /// Asks the scene at n x n places a pixel and plots the filtered values. Neighbouring pixels share the
 /// samples that a filter wider than a pixel takes from beyond it: each place is asked once, and only the rows
 /// of samples that a row of pixels needs are kept. Source: F. C. Crow, The aliasing problem in
@@ -235,7 +303,7 @@ inline void expect_task(const Window& window, int n) {
 /// Reconstruction filters in computer graphics, 1988, 221-228.
 ///
 /// window: the pixels that are asked for. n: samples a pixel along each axis. filter: see Filter.
-///   colour_at(dvec2): the scene at any place, in pixels; a number, or a vector of numbers that are
+///   scene(dvec2): the light at any place, in pixels; a number, or a vector of numbers that are
 ///   proportional to light. plot(ivec2, value): called once a pixel, row by row.
 ///
 /// Domain: 1 <= n <= most, the window at most `farthest` pixels from 0; an empty one plots nothing. Places
@@ -248,43 +316,13 @@ inline void expect_task(const Window& window, int n) {
 /// Cost: n^2 samples of the scene a pixel; each pixel n^2 (box), 4 n^2 (tent) or 9 n^2 (Gaussian) sums.
 ///   Memory: n, 2 n or 3 n rows of samples (cost_of_band).
 /// Errors: ContractViolation outside the domain.
-template <class ColourAt, class Plot, class Value = ValueOf<ColourAt>,
+template <class Scene, class Plot, class Value = ValueOf<Scene>,
           Observer<Started, Added<Value>, Filtered<Value>, Finished> O = Unobserved>
-Taken supersample(const Window& window, int n, Filter filter, const ColourAt& colour_at, Plot&& plot,
+Taken supersample(const Window& window, int n, Filter filter, const Scene& scene, Plot&& plot,
                   O&& observer = {}) {
   expect_task(window, n);
   if (window.empty()) return {};
-  auto kernel = kernel_for<Value>(filter, n);
-  const int reach = kernel.reach;
-  auto cells = cells_of(window, n, reach);
-  auto samples =  // of the rows at hand
-      Samples<Value>(cells, n + 2 * reach, n);
-  if constexpr (observed<O>) observer(Started{window, n, filter, reach});
-  const auto [lower, upper] = window;
-  int row = cells.lower.y;
-  for (int y = lower.y; y <= upper.y; ++y) {
-    // Ask the scene for new rows of samples
-    const int next = (y + 1) * n + reach;
-    for (; row < next; ++row)  // each once
-      samples.ask(row, colour_at);
-    for (int x = lower.x; x <= upper.x; ++x) {
-      const ivec2 pixel(x, y);
-      // Weigh the samples round the pixel
-      Value sum(0);
-      for (auto& [at, w] : kernel.cells) {
-        const auto cell = pixel * n + at;
-        const Value value = samples.at(cell);
-        sum += w * value;
-        if constexpr (observed<O>) observer(Added<Value>{pixel, cell, w, kernel.total, value, sum});
-      }
-      // All weights together count 1
-      const Value mean = sum / kernel.total;
-      if constexpr (observed<O>) observer(Filtered<Value>{pixel, sum, mean});
-      plot(pixel, mean);
-    }
-  }
-  if constexpr (observed<O>) observer(Finished{samples.taken()});
-  return samples.taken();
+  return draw(window, KernelFor<Scene>(filter, n), scene, plot, observer);
 }
 
 // --- The whole larger picture ------------------------------------
@@ -293,42 +331,37 @@ Taken supersample(const Window& window, int n, Filter filter, const ColourAt& co
 /// pixel. The values are those of `supersample`, bit for bit; the memory is n x n as large.
 /// Source: as for supersample.
 ///
-/// window, n, filter, colour_at, plot: as for supersample.
+/// window, n, filter, scene, plot: as for supersample.
 ///
 /// Domain, Accuracy, Errors: as for supersample.
 /// Steps: Started RowDrawn+ Filtered+ Finished; none for an empty window.
 /// Cost: as for supersample; memory all samples (cost_of_large_picture).
-template <class ColourAt, class Plot, class Value = ValueOf<ColourAt>,
+template <class Scene, class Plot, class Value = ValueOf<Scene>,
           Observer<Started, RowDrawn<Value>, Filtered<Value>, Finished> O = Unobserved>
-Taken large_picture(const Window& window, int n, Filter filter, const ColourAt& colour_at, Plot&& plot,
+Taken large_picture(const Window& window, int n, Filter filter, const Scene& scene, Plot&& plot,
                     O&& observer = {}) {
+  using K = KernelFor<Scene>;
   expect_task(window, n);
   if (window.empty()) return {};
-  auto kernel = kernel_for<Value>(filter, n);
-  const int reach = kernel.reach;
-  auto cells = cells_of(window, n, reach);
-  const auto rows = cells.height();
-  auto large =  // with room for all its rows
-      Samples<Value>(cells, rows, n);
+  const K kernel(filter, n);
+  auto cells = kernel.round(window);
+  Samples<Value> large(cells, n);
   if constexpr (observed<O>) observer(Started{window, n, filter, kernel.reach});
   // Draw the larger picture
-  const auto [low, high] = cells;
-  for (int y = low.y; y <= high.y; ++y) {
-    large.ask(y, colour_at);
+  for (int y : large.rows()) {
+    large.ask(y, scene);
     if constexpr (observed<O>) observer(RowDrawn<Value>{y, large.row(y)});
   }
   // Filter it, at the pixels alone
-  const auto [lower, upper] = window;
-  for (int y = lower.y; y <= upper.y; ++y) {
-    for (int x = lower.x; x <= upper.x; ++x) {
-      const ivec2 pixel(x, y);
-      Value sum(0);
-      for (auto& [at, w] : kernel.cells)  // weighed
-        sum += w * large.at(pixel * n + at);
-      const Value mean = sum / kernel.total;
-      if constexpr (observed<O>) observer(Filtered<Value>{pixel, sum, mean});
-      plot(pixel, mean);
+  for (ivec2 p : pixels(window)) {
+    Value sum(0);
+    for (auto& [at, w] : kernel) {
+      const auto cell = p * n + at;
+      sum += w * large.at(cell);
     }
+    auto mean = sum / kernel.total;
+    if constexpr (observed<O>) observer(Filtered<Value>{p, sum, mean});
+    plot(p, mean);
   }
   if constexpr (observed<O>) observer(Finished{large.taken()});
   return large.taken();

@@ -60,29 +60,37 @@ auto blurred_at(int i, int count, const std::vector<double>& weights, const At& 
   return sum;
 }
 
+/// A picture in memory, row by row.
+template <class Value>
+struct Picture {
+  ivec2 size;
+  std::vector<Value> values;
+
+  std::size_t index(ivec2 p) const { return static_cast<std::size_t>(p.y * size.x + p.x); }
+  const Value& at(ivec2 p) const { return values[index(p)]; }
+};
+constexpr Pixels pixels(ivec2 size) { return Pixels({{0, 0}, size - 1}); }
+
 /// Each pixel of a finished picture n x n times.
-template <class PixelAt>
-auto replicas(ivec2 size, int n, const PixelAt& pixel_at) {
-  std::vector<std::remove_cvref_t<decltype(pixel_at(ivec2{}))>> large;
-  for (int y = 0; y < size.y * n; ++y) {
-    for (int x = 0; x < size.x * n; ++x) large.push_back(pixel_at(ivec2{x / n, y / n}));
-  }
+template <class Image>
+auto grown(ivec2 size, int n, const Image& image) {
+  Picture<std::remove_cvref_t<std::invoke_result_t<const Image&, ivec2>>> large{size * n, {}};
+  for (const ivec2 p : pixels(large.size)) large.values.push_back(image(p / n));
   return large;
 }
 
 /// A picture blurred along rows, then along columns.
 template <class Value>
-std::vector<Value> blurred(const std::vector<Value>& picture, ivec2 size, double sigma) {
+Picture<Value> blurred(const Picture<Value>& picture, double sigma) {
   const std::vector<double> weights = bell(sigma);
-  const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * size.x + x); };
-  std::vector<Value> rows(picture.size()), all(picture.size());
-  for (int y = 0; y < size.y; ++y) {
-    for (int x = 0; x < size.x; ++x)
-      rows[index(x, y)] = blurred_at(x, size.x, weights, [&](int i) { return picture[index(i, y)]; });
+  Picture<Value> rows = picture, all = picture;
+  for (const ivec2 p : pixels(picture.size)) {
+    const auto along = [&](int i) { return picture.at({i, p.y}); };
+    rows.values[rows.index(p)] = blurred_at(p.x, picture.size.x, weights, along);
   }
-  for (int y = 0; y < size.y; ++y) {
-    for (int x = 0; x < size.x; ++x)
-      all[index(x, y)] = blurred_at(y, size.y, weights, [&](int i) { return rows[index(x, i)]; });
+  for (const ivec2 p : pixels(picture.size)) {
+    const auto along = [&](int i) { return rows.at({p.x, i}); };
+    all.values[all.index(p)] = blurred_at(p.y, picture.size.y, weights, along);
   }
   return all;
 }
@@ -99,34 +107,30 @@ inline dvec3 mixed_channels(const dvec3& colour, double sigma) {
 /// blurred with standard deviation n/2, of each n x n the first. Edges stay jagged, become blurred as well,
 /// and move by (n - 1)/2 sub-cells, since the first of a block is not its middle.
 ///
-/// size: of the finished picture. n: how many times larger. pixel_at(ivec2): its pixels, numbers or vectors
-///   of numbers. plot(ivec2, value): called once a pixel, row by row.
+/// size: of the finished picture. n: how many times larger. image(ivec2): its pixels, numbers or vectors of
+///   numbers. plot(ivec2, value): called once a pixel, row by row.
 ///
 /// Domain: size >= 1 each way, 1 <= n <= most.
 /// Steps: Replicated Blurred FirstTaken+.
 /// Accuracy: none; of a picture of one colour right.
 /// Cost: n^2 (8 n + 4) products a pixel, memory three larger pictures.
 /// Errors: ContractViolation outside of the domain.
-template <class PixelAt, class Plot, class Value = std::remove_cvref_t<std::invoke_result_t<PixelAt, ivec2>>,
+template <class Image, class Plot, class Value = std::remove_cvref_t<std::invoke_result_t<Image, ivec2>>,
           Observer<Replicated<Value>, Blurred<Value>, FirstTaken<Value>> O = Unobserved>
-void upsampled_image(ivec2 size, int n, const PixelAt& pixel_at, Plot&& plot, O&& observer = {}) {
+void upsampled_image(ivec2 size, int n, const Image& image, Plot&& plot, O&& observer = {}) {
   expects(size.x >= 1 && size.y >= 1, "a picture of {} x {} pixels", size.x, size.y);
   expects(1 <= n && n <= most, "{} times larger is not between 1 and {}", n, most);
   // Each finished pixel n x n times
-  auto large = replicas(size, n, pixel_at);
-  if constexpr (observed<O>) observer(Replicated<Value>{size * n, large});
-  const ivec2 wide = size * n;
+  auto wide = grown(size, n, image);
+  if constexpr (observed<O>) observer(Replicated<Value>{wide.size, wide.values});
   const double sigma = 0.5 * n;
-  auto smooth = blurred(large, wide, sigma);
-  if constexpr (observed<O>) observer(Blurred<Value>{size * n, smooth});
-  for (int y = 0; y < size.y; ++y) {
-    for (int x = 0; x < size.x; ++x) {
-      // The first of n x n, not their mean
-      const int at = n * (y * wide.x + x);
-      auto value = smooth[std::size_t(at)];
-      if constexpr (observed<O>) observer(FirstTaken<Value>{{x, y}, {x * n, y * n}, value});
-      plot(ivec2{x, y}, value);
-    }
+  auto soft = blurred(wide, sigma);
+  if constexpr (observed<O>) observer(Blurred<Value>{soft.size, soft.values});
+  for (ivec2 p : pixels(size)) {
+    // The first of n x n, no mean
+    auto value = soft.at(p * n);
+    if constexpr (observed<O>) observer(FirstTaken<Value>{p, p * n, value});
+    plot(p, value);
   }
 }
 
@@ -134,32 +138,29 @@ void upsampled_image(ivec2 size, int n, const PixelAt& pixel_at, Plot&& plot, O&
 /// does that is given one width for all axes of an array of rows, columns and channels. Red bleeds into green
 /// and blue.
 ///
-/// size, n, plot: as for upsampled_image. pixel_at(ivec2): its pixels' red, green and blue.
+/// size, n, plot: as for upsampled_image. image(ivec2): its pixels' red, green and blue.
 ///
 /// Domain, Steps, Cost, Errors: as for upsampled_image.
 /// Accuracy: none; of a grey picture as upsampled_image.
-template <class PixelAt, class Plot,
+template <class Image, class Plot,
           Observer<Replicated<dvec3>, Blurred<dvec3>, FirstTaken<dvec3>> O = Unobserved>
-void blurred_channels(ivec2 size, int n, const PixelAt& pixel_at, Plot&& plot, O&& observer = {}) {
+void blurred_channels(ivec2 size, int n, const Image& image, Plot&& plot, O&& observer = {}) {
   expects(size.x >= 1 && size.y >= 1, "a picture of {} x {} pixels", size.x, size.y);
   expects(1 <= n && n <= most, "{} times larger is not between 1 and {}", n, most);
   // Each finished pixel n x n times
-  auto large = replicas(size, n, pixel_at);
-  if constexpr (observed<O>) observer(Replicated<dvec3>{size * n, large});
-  const ivec2 wide = size * n;
+  auto wide = grown(size, n, image);
+  if constexpr (observed<O>) observer(Replicated<dvec3>{wide.size, wide.values});
   const double sigma = 0.5 * n;
-  auto smooth = blurred(large, wide, sigma);
-  // One sigma for all axes: colours, too
-  for (dvec3& colour : smooth)  // all of them
-    colour = mixed_channels(colour, sigma);
-  if constexpr (observed<O>) observer(Blurred<dvec3>{size * n, smooth});
-  for (int y = 0; y < size.y; ++y) {
-    for (int x = 0; x < size.x; ++x) {
-      const int at = n * (y * wide.x + x);
-      auto value = smooth[std::size_t(at)];
-      if constexpr (observed<O>) observer(FirstTaken<dvec3>{{x, y}, {x * n, y * n}, value});
-      plot(ivec2{x, y}, value);
-    }
+  auto soft = blurred(wide, sigma);
+  // One sigma for colours, too
+  for (dvec3& c : soft.values) {
+    c = mixed_channels(c, sigma);
+  }
+  if constexpr (observed<O>) observer(Blurred<dvec3>{soft.size, soft.values});
+  for (ivec2 p : pixels(size)) {
+    auto value = soft.at(p * n);
+    if constexpr (observed<O>) observer(FirstTaken<dvec3>{p, p * n, value});
+    plot(p, value);
   }
 }
 

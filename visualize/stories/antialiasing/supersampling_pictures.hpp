@@ -85,6 +85,8 @@ inline void tell_more_samples(Narrator& narrator) {
 }
 
 inline void tell_filters(Narrator& narrator) {
+  narrator.list("weight_at");
+  narrator.list_below("draw");
   const int n = subject_of(narrator.arguments()).n;
   narrator.subtitle("filters.subtitle", {{"n", fmt::format("{0} × {0}", n)}});
   tell_pictures(narrator, {"filters.started",

@@ -200,6 +200,8 @@ class PixelStory {
 };
 
 inline void tell_supersample(Narrator& narrator) {
+  narrator.list("weight_at");
+  narrator.list_below("draw");
   const Subject subject = subject_of(narrator.arguments());
   PixelStory::set_paper(narrator);
   narrator.subtitle("pixel.subtitle", {{"pixel", subject.pixel},
