@@ -17,6 +17,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/pixels.hpp"
 #include "core/random.hpp"
 
 namespace gradus::jittered {
@@ -112,7 +113,7 @@ class Shuffle {
 };
 
 /// One of the samples, each equally likely.
-constexpr dvec2& one_of(std::span<dvec2> samples, Random& random) {
+constexpr dvec2& any(std::span<dvec2> samples, Random& random) {
   const std::int64_t last = static_cast<std::int64_t>(samples.size()) - 1;
   return samples[static_cast<std::size_t>(random.uniform_int(0, last))];
 }
@@ -144,6 +145,11 @@ constexpr int count_of(std::span<dvec2> samples) {
   expects(0 < samples.size() && samples.size() <= most_samples, "a pattern has 1 to {} samples, not {}",
           most_samples, samples.size());
   return static_cast<int>(samples.size());
+}
+
+/// Which of them this is.
+constexpr int index_of(std::span<dvec2> samples, const dvec2& sample) {
+  return static_cast<int>(&sample - samples.data());
 }
 
 /// The largest whole number whose square is not above `count`.
@@ -183,10 +189,12 @@ constexpr void regular(std::span<dvec2> samples, O&& observer = {}) {
   if constexpr (observed<O>) observer(Cut{grid});
   int i = 0;
   for (dvec2& sample : samples) {
-    // The middle of one cell after the other
+    // One cell after the other
     auto cell = cell_of(i, grid);
-    sample = in_cell(cell, dvec2(0.5), grid);
-    if constexpr (observed<O>) observer(Placed{i, cell, grid, dvec2(0.5), sample});
+    // Its middle
+    const dvec2 u(0.5);
+    sample = in_cell(cell, u, grid);
+    if constexpr (observed<O>) observer(Placed{i, cell, grid, u, sample});
     ++i;
   }
   if constexpr (observed<O>) observer(Finished{n});
@@ -202,17 +210,16 @@ constexpr void regular(std::span<dvec2> samples, O&& observer = {}) {
 /// Cost: one random number a sample. Errors: expects 1 to most_samples.
 template <Observer<Cut, Placed, Finished> O = Unobserved>
 constexpr void uniform(std::span<dvec2> samples, Random random, O&& observer = {}) {
-  const int count = count_of(samples);
+  const int n = count_of(samples);
   if constexpr (observed<O>) observer(Cut{ivec2(1)});
-  int i = 0;
   for (dvec2& sample : samples) {
-    // Anywhere
+    // Anywhere in the pixel,
+    // wherever the others lie
     const dvec2 u = offsets(random);
     sample = u;
-    if constexpr (observed<O>) observer(Placed{i, ivec2(0), ivec2(1), u, sample});
-    ++i;
+    if constexpr (observed<O>) observer(Placed{index_of(samples, sample), ivec2(0), ivec2(1), u, sample});
   }
-  if constexpr (observed<O>) observer(Finished{count});
+  if constexpr (observed<O>) observer(Finished{n});
 }
 
 /// One sample in each cell of a grid, anywhere in it.
@@ -255,31 +262,29 @@ constexpr void jittered(std::span<dvec2> samples, Random random, O&& observer = 
 template <Observer<Cut, Swapped, Placed, Finished> O = Unobserved>
 constexpr void n_rooks(std::span<dvec2> samples, Random random, O&& observer = {}) {
   const int n = count_of(samples);
-  const ivec2 board(n);
-  if constexpr (observed<O>) observer(Cut{board});
-  // A rook on each square of the diagonal
+  const ivec2 grid(n);
+  if constexpr (observed<O>) observer(Cut{grid});
+  // Rooks along the diagonal
   int i = 0;
   for (dvec2& rook : samples) {
     rook = dvec2(i);
     ++i;
   }
-  // Shuffle the rows: each keeps one rook
+  // Shuffle their rows
   auto rest = samples;
   while (rest.size() > 1) {
     dvec2& rook = rest.back();
-    dvec2& other = one_of(rest, random);
+    auto& other = any(rest, random);
     std::swap(rook.y, other.y);
     if constexpr (observed<O>) observer(Swapped{ivec2(rook), ivec2(other)});
     rest = all_but_last(rest);
   }
   // Each anywhere in its square
-  i = 0;
   for (dvec2& sample : samples) {
-    const ivec2 square(sample);
+    const ivec2 cell(sample);
     const dvec2 u = offsets(random);
-    sample = in_cell(square, u, board);
-    if constexpr (observed<O>) observer(Placed{i, square, board, u, sample});
-    ++i;
+    sample = in_cell(cell, u, grid);
+    if constexpr (observed<O>) observer(Placed{index_of(samples, sample), cell, grid, u, sample});
   }
   if constexpr (observed<O>) observer(Finished{n});
 }
@@ -301,26 +306,26 @@ constexpr void n_rooks(std::span<dvec2> samples, Random random, O&& observer = {
 /// Errors: expects 1 to most_samples.
 template <Observer<Cut, Placed, Finished> O = Unobserved>
 constexpr void correlated_multi_jittered(std::span<dvec2> samples, Random random, O&& observer = {}) {
-  const int count = count_of(samples);
-  const int m = root_of(count);
-  const int n = (count + m - 1) / m;
-  const ivec2 fine{m * n, count};
+  const int N = count_of(samples);
+  const int m = root_of(N);
+  const int n = (N + m - 1) / m;
+  const ivec2 fine{m * n, N};
   const Shuffle columns(m, random);
   const Shuffle slots(n, random);
   if constexpr (observed<O>) observer(Cut{{m, n}});
   int row = 0;
   for (dvec2& sample : samples) {
-    // m rows are a strip: all its columns
-    const int column = columns(row % m);
-    // n strips are the slots of a column
-    const int slot = slots(row / m);
-    const ivec2 cell{column * n + slot, row};
+    // m rows a strip: any column
+    const int i = columns(row % m);
+    // One of its n slots a strip
+    const int j = slots(row / m);
+    ivec2 cell{i * n + j, row};
     const dvec2 u = offsets(random);
     sample = in_cell(cell, u, fine);
     if constexpr (observed<O>) observer(Placed{row, cell, fine, u, sample});
     ++row;
   }
-  if constexpr (observed<O>) observer(Finished{count});
+  if constexpr (observed<O>) observer(Finished{N});
 }
 
 /// m of a power of two 2^m.
@@ -379,12 +384,12 @@ constexpr void sobol(std::span<dvec2> samples, Random random, O&& observer = {})
   int i = 0;
   for (dvec2& sample : samples) {
     // Point i of the sequence
-    const ivec2 plain = sobol_cell(i, m);
-    // Coins turn halves of halves of it
-    const int x = turned(plain.x, m, across);
-    const int y = turned(plain.y, m, down);
+    const auto p = sobol_cell(i, m);
+    // Coins turn halves of halves
+    auto x = turned(p.x, m, across);
+    auto y = turned(p.y, m, down);
     const ivec2 cell{x, y};
-    if constexpr (observed<O>) observer(Scrambled{i, plain, cell});
+    if constexpr (observed<O>) observer(Scrambled{i, p, cell});
     const dvec2 u = offsets(random);
     sample = in_cell(cell, u, grid);
     if constexpr (observed<O>) observer(Placed{i, cell, grid, u, sample});
@@ -429,32 +434,22 @@ using ColourOf = std::remove_cvref_t<std::invoke_result_t<ColourAt&, Place>>;
 /// Steps: Looked*, one each sample.
 /// Accuracy: that of the sum: count·2^-53 of the largest colour; exact for colours 0 and 1.
 /// Cost: one call of colour_at a sample. Errors: expects a sample.
-template <class ColourAt, class O = Unobserved>
-constexpr auto sample_pixel(ivec2 pixel, std::span<const dvec2> samples, ColourAt&& colour_at,
-                            O&& observer = {}) {
+template <class ColourAt, class Colour = ColourOf<ColourAt, dvec2>, class O = Unobserved>
+constexpr Colour sample_pixel(ivec2 p, std::span<const dvec2> samples, ColourAt&& colour_at,
+                              O&& observer = {}) {
   expects(!samples.empty(), "a pixel without samples has no colour");
-  using Colour = ColourOf<ColourAt, dvec2>;
   Colour sum{};
   int taken = 0;
-  for (const dvec2& sample : samples) {
-    // What the scene has at that place
-    const dvec2 place = dvec2(pixel) + sample;
+  for (dvec2 sample : samples) {
+    // What the scene has there
+    auto place = dvec2(p) + sample;
     auto colour = colour_at(place);
     sum += colour;
     ++taken;
     if constexpr (observed<O>) observer(Looked<Colour>{taken - 1, place, colour, sum / double(taken)});
   }
-  // Divided by as many as were taken
+  // By as many as were taken
   return sum / double(taken);
-}
-
-/// Every pixel of a picture, row by row.
-template <class Visit>
-constexpr void each_pixel(const Window& picture, Visit&& visit) {
-  if (picture.empty()) return;
-  for (std::int64_t y = picture.lower.y; y <= picture.upper.y; ++y) {
-    for (std::int64_t x = picture.lower.x; x <= picture.upper.x; ++x) visit(ivec2(x, y));
-  }
 }
 
 /// A picture: every pixel by a pattern of its own.
@@ -464,18 +459,22 @@ constexpr void each_pixel(const Window& picture, Visit&& visit) {
 ///
 /// Domain: any window, an empty one plots nothing. Accuracy, Errors: those of the pattern and sample_pixel.
 /// Cost: theirs a pixel; no memory.
-template <class ColourAt, class Plot>
+template <class ColourAt, class Plot, class Colour = ColourOf<ColourAt, dvec2>>
 constexpr void sample_picture(const Window& picture, Pattern pattern, std::span<dvec2> samples,
                               std::uint64_t seed, ColourAt&& colour_at, Plot&& plot) {
-  auto visit = [&](ivec2 pixel) {
+  for (ivec2 p : pixels(picture)) {
     // Another pattern in each pixel
-    auto random = numbers_of(seed, pixel);
-    put(pattern, samples, random);
-    auto colour = sample_pixel(  // their mean
-        pixel, samples, colour_at);
-    plot(pixel, colour);
-  };
-  each_pixel(picture, visit);
+    auto own = numbers_of(seed, p);
+    put(pattern, samples, own);
+    // The mean of what they see
+    Colour sum{};
+    for (dvec2 sample : samples) {
+      auto at = dvec2(p) + sample;
+      sum += colour_at(at);
+    }
+    auto n = double(samples.size());
+    plot(p, sum / n);
+  }
 }
 
 }  // namespace gradus::jittered

@@ -10,18 +10,16 @@ namespace gradus::jittered {
 /// offset) is i, whatever the offset. So every sample sees the same pixel, and what comes out is what went
 /// in: nothing is smoothed.
 ///
-/// pixel: of a finished picture, column and row >= 0. asked: how many samples, 1 to most_samples.
+/// p: a pixel of a finished picture, column and row >= 0. asked: how many samples, 1 to most_samples.
 /// colour_of(ivec2): the finished picture's pixel.
 ///
 /// Steps: Cut (Placed Looked)* Finished; a Looked has the place that was truncated.
-/// Accuracy: equals colour_of(pixel) where count·colour is exact. Cost: root_of(asked)^2 look-ups.
+/// Accuracy: equals colour_of(p) where count·colour is exact. Cost: root_of(asked)^2 look-ups.
 /// Errors: expects 1 to most_samples, and no negative coordinate.
-template <class LookUp, class O = Unobserved>
-constexpr auto whole_coordinates(ivec2 pixel, int asked, Random random, LookUp&& colour_of,
-                                 O&& observer = {}) {
+template <class LookUp, class Colour = ColourOf<LookUp, ivec2>, class O = Unobserved>
+constexpr Colour whole_coordinates(ivec2 p, int asked, Random random, LookUp&& colour_of, O&& observer = {}) {
   expects(0 < asked && asked <= most_samples, "a pattern has 1 to {} samples, not {}", most_samples, asked);
-  expects(pixel.x >= 0 && pixel.y >= 0, "a finished picture has no pixel ({}, {})", pixel.x, pixel.y);
-  using Colour = ColourOf<LookUp, ivec2>;
+  expects(p.x >= 0 && p.y >= 0, "a finished picture has no pixel ({}, {})", p.x, p.y);
   const int side = root_of(asked);
   const int taken = side * side;
   const ivec2 grid(side);
@@ -31,10 +29,10 @@ constexpr auto whole_coordinates(ivec2 pixel, int asked, Random random, LookUp&&
     // Jitter within the grid cell
     auto cell = cell_of(i, grid);
     const dvec2 u = offsets(random);
-    dvec2 sample = in_cell(cell, u, grid);
-    if constexpr (observed<O>) observer(Placed{i, cell, grid, u, sample});
+    auto s = in_cell(cell, u, grid);
+    if constexpr (observed<O>) observer(Placed{i, cell, grid, u, s});
     // int(x + offset) is x again
-    const ivec2 whole(dvec2(pixel) + sample);
+    const ivec2 whole(dvec2(p) + s);
     auto colour = colour_of(whole);
     sum += colour;
     if constexpr (observed<O>) observer(Looked<Colour>{i, dvec2(whole), colour, sum / double(i + 1)});
@@ -46,16 +44,15 @@ constexpr auto whole_coordinates(ivec2 pixel, int asked, Random random, LookUp&&
 /// FAULTY: takes int(sqrt n)^2 samples and divides by n (errata E001-56): where n is no square the picture
 /// becomes darker, by 0.5 for n = 2, 0.333 for 3, 0.8 for 5, 0.5 for 8.
 ///
-/// pixel: any. asked: how many samples, 1 to most_samples. colour_at: as for sample_pixel.
+/// p: any pixel. asked: how many samples, 1 to most_samples. colour_at: as for sample_pixel.
 ///
 /// Steps: Cut (Placed Looked)* Finished; the mean of a Looked is the sum so far, divided as asked.
 /// Accuracy: root_of(asked)^2 / asked of the right mean. Cost: root_of(asked)^2 calls of colour_at.
 /// Errors: expects 1 to most_samples.
-template <class ColourAt, class O = Unobserved>
-constexpr auto divided_by_asked(ivec2 pixel, int asked, Random random, ColourAt&& colour_at,
-                                O&& observer = {}) {
+template <class ColourAt, class Colour = ColourOf<ColourAt, dvec2>, class O = Unobserved>
+constexpr Colour divided_by_asked(ivec2 p, int asked, Random random, ColourAt&& colour_at,
+                                  O&& observer = {}) {
   expects(0 < asked && asked <= most_samples, "a pattern has 1 to {} samples, not {}", most_samples, asked);
-  using Colour = ColourOf<ColourAt, dvec2>;
   // Often fewer cells than asked
   const int side = root_of(asked);
   const int taken = side * side;
@@ -65,9 +62,9 @@ constexpr auto divided_by_asked(ivec2 pixel, int asked, Random random, ColourAt&
   for (int i = 0; i < taken; ++i) {
     auto cell = cell_of(i, grid);
     const dvec2 u = offsets(random);
-    dvec2 sample = in_cell(cell, u, grid);
-    if constexpr (observed<O>) observer(Placed{i, cell, grid, u, sample});
-    const dvec2 place = dvec2(pixel) + sample;
+    auto s = in_cell(cell, u, grid);
+    if constexpr (observed<O>) observer(Placed{i, cell, grid, u, s});
+    auto place = dvec2(p) + s;
     auto colour = colour_at(place);
     sum += colour;
     if constexpr (observed<O>) observer(Looked<Colour>{i, place, colour, sum / double(asked)});
