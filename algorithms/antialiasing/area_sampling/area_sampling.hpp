@@ -5,10 +5,12 @@
 // Rows grow downwards, as in an image: pixel (c, r) covers [c, c+1) x [r, r+1). Corners lie on the grid of
 // 1/256 pixel, so that all areas are rational.
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -60,6 +62,67 @@ inline void expect_places(std::span<const ivec2> corners, const Window& window) 
   expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
 }
 
+/// Hands steps on, and counts pixels for the last one.
+template <class O>
+struct Counting {
+  O& observer;
+  Finished pixels{0, 0};
+
+  template <class Step>
+  void operator()(const Step& step, int line = __builtin_LINE(), const char* file = __builtin_FILE()) {
+    if constexpr (requires { step.area; })
+      pixels.clipped += 1, pixels.covered += step.area > decltype(step.area){0};
+    tell(observer, step, line, file);
+  }
+};
+/// Nobody watches, and nothing is counted.
+template <class O>
+auto counting(O& observer) {
+  if constexpr (observed<O>)
+    return Counting<O>{observer};
+  else
+    return Unobserved{};
+}
+
+/// The rows of a window, none where it is empty, and the columns in which a part of a polygon lies.
+inline auto from_to(int first, int last) { return std::views::iota(first, std::max(first, last + 1)); }
+inline auto rows(const Window& box) { return from_to(box.lower.y, box.upper.y); }
+inline auto reach(const Polygon& polygon, const Window& box) {
+  const auto [first, last] = columns(polygon, box);
+  return from_to(first, last);
+}
+
+/// What pixel_areas does in the pixels of the polygon's box.
+template <class T, class Plot, Observer<Started, BorderCut, AreaTaken<T>, Finished> O>
+void clip_to_pixels(std::span<const ivec2> corners, const Window& box, Plot&& plot, O&& observer) {
+  Polygon all = clockwise(corners);
+  Polygon half;
+  Polygon row;
+  Polygon piece;
+  if constexpr (observed<O>) observer(Started{{corners.begin(), corners.end()}, box});
+  for (int y : rows(box)) {
+    // What lies in this row
+    cut(all, top_of(y), half);
+    if constexpr (observed<O>) observer(BorderCut{top_of(y), half});
+    cut(half, bottom_of(y), row);
+    if constexpr (observed<O>) observer(BorderCut{bottom_of(y), row});
+    for (int x : reach(row, box)) {
+      // What lies in this pixel
+      cut(row, left_of(x), half);
+      if constexpr (observed<O>) observer(BorderCut{left_of(x), half});
+      cut(half, right_of(x), piece);
+      if constexpr (observed<O>) observer(BorderCut{right_of(x), piece});
+      // How large that is
+      const ivec2 p(x, y);
+      T area = area_in<T>(piece, p);
+      if constexpr (observed<O>) observer(AreaTaken<T>{p, piece, area});
+      if (!(area > T{0})) continue;
+      plot(p, area);
+    }
+  }
+  if constexpr (observed<O>) observer(Finished{observer.pixels});
+}
+
 /// The area of a polygon in each pixel: the polygon is clipped to the pixel, and what is left is measured.
 /// E. Catmull, A hidden-surface algorithm with anti-aliasing, SIGGRAPH 1978, 6-11.
 ///
@@ -80,35 +143,7 @@ inline void expect_places(std::span<const ivec2> corners, const Window& window) 
 template <class T = double, class Plot, Observer<Started, BorderCut, AreaTaken<T>, Finished> O = Unobserved>
 void pixel_areas(std::span<const ivec2> corners, const Window& window, Plot&& plot, O&& observer = {}) {
   expect_places(corners, window);
-  const Polygon polygon = clockwise(corners);
-  const auto box = pixels_in(corners, window);
-  const auto [lower, upper] = box;
-  Polygon half, row, piece;
-  std::int64_t clipped = 0, covered = 0;
-  if constexpr (observed<O>) observer(Started{{corners.begin(), corners.end()}, box});
-  for (int y = lower.y; y <= upper.y; ++y) {
-    // What lies in this row
-    cut(polygon, top_of(y), half);
-    if constexpr (observed<O>) observer(BorderCut{top_of(y), half});
-    cut(half, bottom_of(y), row);
-    if constexpr (observed<O>) observer(BorderCut{bottom_of(y), row});
-    const auto [from, to] = columns(row, box);
-    for (int x = from; x <= to; ++x) {
-      // What lies in this pixel
-      cut(row, left_of(x), half);
-      if constexpr (observed<O>) observer(BorderCut{left_of(x), half});
-      cut(half, right_of(x), piece);
-      if constexpr (observed<O>) observer(BorderCut{right_of(x), piece});
-      // How large that is
-      T area = area_in<T>(piece, {x, y});
-      if constexpr (observed<O>) observer(AreaTaken<T>{{x, y}, piece, area});
-      clipped += 1;
-      if (!(area > T{0})) continue;
-      covered += 1;
-      plot(ivec2{x, y}, area);
-    }
-  }
-  if constexpr (observed<O>) observer(Finished{clipped, covered});
+  clip_to_pixels<T>(corners, pixels_in(corners, window), plot, counting(observer));
 }
 
 /// The byte of a pixel that is covered so far: floor(255 area + 1/2). Domain: 0 <= area <= 1 and a bit.

@@ -188,6 +188,21 @@ T area_of(const Pieces<T>& pieces) {
   return sum;
 }
 
+/// What is left of a fragment.
+template <class T>
+struct Rest {
+  Pieces<T> pieces;
+  bool met = false;  ///< by what was subtracted last
+
+  explicit Rest(const Fragment<T>& whole) : pieces{whole.outline} {}
+  bool empty() const { return pieces.empty(); }
+  void subtract(const Outline<T>& taken) { met = area_sampling::subtract(pieces, taken); }
+};
+template <class T>
+T area_of(const Rest<T>& rest) {
+  return area_of(rest.pieces);
+}
+
 /// The nearest first, by their nearest depths, then by key.
 template <class T>
 void sort_by_depth(std::span<Fragment<T>> fragments) {
@@ -226,34 +241,38 @@ void expect_outlines(std::span<const Fragment<T>> fragments) {
 ///   differ by a thousandth of their depths at some corner of the pixel; nearer ones may change places.
 /// Cost: at most n - 1 others for each of n fragments; each splits a piece at most once an edge.
 /// Errors: ContractViolation for an outline of fewer than three corners.
+///
+/// Returns the sum of the areas that are seen.
 template <class T, class See,
           Observer<FragmentTaken<T>, Compared<T>, Subtracted<T>, Seen<T>, AreasFinished<T>> O = Unobserved>
-void visible_areas(std::span<Fragment<T>> fragments, See&& seen, O&& observer = {}) {
+T visible_areas(std::span<Fragment<T>> fragments, See&& seen, O&& observer = {}) {
   expect_outlines<T>(fragments);
   sort_by_depth(fragments);
   T covered{0};
-  for (const Fragment<T>& mine : fragments) {
-    Pieces<T> left{mine.outline};
-    if constexpr (observed<O>) observer(FragmentTaken<T>{mine});
-    for (const auto& other : fragments) {
-      if (&other == &mine) continue;
-      // Nothing left, or all others behind
-      if (left.empty()) break;
-      if (behind(other, mine)) break;
-      // What of the other one lies before?
-      const auto at = compare(other, mine);
-      if constexpr (observed<O>) observer(Compared<T>{mine.key, other.key, at.before, at.behind});
-      // That hides what is behind it
-      bool hides = subtract(left, at.before);
-      if constexpr (observed<O>) observer(Subtracted<T>{hides, mine.key, other.key, at.before, left});
+  for (auto& f : fragments) {
+    Rest<T> rest(f);
+    if constexpr (observed<O>) observer(FragmentTaken<T>{f});
+    for (auto& g : fragments) {
+      if (&g == &f) continue;
+      // Nothing left, or all behind
+      if (rest.empty()) break;
+      if (behind(g, f)) break;
+      // What of g lies before f?
+      const auto at = compare(g, f);
+      if constexpr (observed<O>) observer(Compared<T>{f.key, g.key, at.before, at.behind});
+      // That hides what is behind
+      rest.subtract(at.before);
+      if constexpr (observed<O>) observer(Subtracted<T>{rest.met, f.key, g.key, at.before, rest.pieces});
     }
     // What is left is seen
-    const T area = area_of(left);
-    if constexpr (observed<O>) observer(Seen<T>{mine.key, left, area});
-    if (!left.empty()) seen(mine, left, area);
+    const T area = area_of(rest);
+    if constexpr (observed<O>) observer(Seen<T>{f.key, rest.pieces, area});
+    if (rest.empty()) continue;
+    seen(f, rest.pieces, area);
     covered = covered + area;
   }
   if constexpr (observed<O>) observer(AreasFinished<T>{covered});
+  return covered;
 }
 
 }  // namespace gradus::area_sampling

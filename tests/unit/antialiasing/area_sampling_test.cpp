@@ -94,6 +94,19 @@ TEST(AreaSampling, ThePixelsOfAConvexPolygonAreClippedOnce) {
   EXPECT_GT(touched, 3000);
 }
 
+TEST(AreaSampling, APolygonOutsideTheWindowIsClippedToNoPixel) {
+  const Corners triangle{{2560, 2560}, {2816, 2560}, {2560, 2816}};  // in pixel (10, 10)
+  const Window above{{8, 0}, {12, 3}}, below{{8, 20}, {12, 23}}, left{{0, 8}, {3, 12}},
+      right{{20, 8}, {23, 12}};
+  for (const Window& window : {above, below, left, right, Window{}}) {
+    Recorder<Started, BorderCut, AreaTaken<double>, Finished> seen;
+    pixel_areas(triangle, window, [](ivec2, double) { FAIL(); }, seen);
+    const auto done = all<Finished>(seen);
+    ASSERT_EQ(done.size(), 1u);
+    EXPECT_EQ(done[0].clipped, 0);
+  }
+}
+
 TEST(AreaSampling, StepsFollowTheGrammar) {
   Recorder<Started, BorderCut, AreaTaken<double>, Finished> seen;
   Areas<double> found;
