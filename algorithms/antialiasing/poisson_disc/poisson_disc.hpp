@@ -96,14 +96,14 @@ constexpr double safe_square(double radius) { return radius * radius * (1 + 0x1p
 
 /// The distance of a place to the nearest of some samples, and which one that is.
 struct Nearest {
-  double square = std::numeric_limits<double>::infinity();
+  double d2 = std::numeric_limits<double>::infinity();  ///< the distance's square
   dvec2 sample{0};
 
   constexpr void ask(const Area& area, dvec2 place, dvec2 other) {
     const double here = squared(way_between(area, place, other));
-    if (here < square) *this = {here, other};
+    if (here < d2) *this = {here, other};
   }
-  double distance() const { return std::sqrt(square); }
+  double distance() const { return std::sqrt(d2); }
 };
 
 /// The smallest distance between any two samples, infinite for fewer than two. Cost: all pairs.
@@ -121,7 +121,7 @@ constexpr bool contains(const Area& area, dvec2 p) {
 }
 
 /// Any place of the area.
-constexpr dvec2 random_place(const Area& area, Random& random) {
+constexpr dvec2 any_in(const Area& area, Random& random) {
   const double x = random.uniform(0, area.size.x);
   return {x, random.uniform(0, area.size.y)};
 }
@@ -142,16 +142,19 @@ class Grid {
   ivec2 reach() const { return reach_; }
   ivec2 cell_of(dvec2 place) const { return glm::min(ivec2(place / area_.size * dvec2(cells_)), cells_ - 1); }
   void put(dvec2 sample) { samples_[index(cell_of(sample))] = sample; }
+  int samples() const {
+    return static_cast<int>(std::ranges::count_if(samples_, [](dvec2 sample) { return sample.x >= 0; }));
+  }
 
   /// The sample nearest to a place, of those in the cells round it; none for one outside the area.
   Nearest nearest(dvec2 place) const {
-    Nearest nearest;
-    if (!contains(area_, place)) return nearest;
+    Nearest least;
+    if (!contains(area_, place)) return least;
     const ivec2 cell = cell_of(place);
     for (int y = cell.y - reach_.y; y <= cell.y + reach_.y; ++y) {
-      for (int x = cell.x - reach_.x; x <= cell.x + reach_.x; ++x) ask({x, y}, place, nearest);
+      for (int x = cell.x - reach_.x; x <= cell.x + reach_.x; ++x) ask({x, y}, place, least);
     }
-    return nearest;
+    return least;
   }
 
  private:
@@ -199,10 +202,10 @@ constexpr void remove(std::vector<dvec2>& active, std::size_t number) {
 }
 
 /// The sample nearest to a place.
-constexpr Nearest nearest_of(const Area& area, std::span<const dvec2> samples, dvec2 place) {
-  Nearest nearest;
-  for (const dvec2 sample : samples) nearest.ask(area, place, sample);
-  return nearest;
+constexpr Nearest nearest(const Area& area, std::span<const dvec2> samples, dvec2 place) {
+  Nearest least;
+  for (const dvec2 sample : samples) least.ask(area, place, sample);
+  return least;
 }
 
 /// The unit square, whose copies fit together.
@@ -210,20 +213,24 @@ inline constexpr Area tile{dvec2(1), true};
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The same in the tile.
-constexpr Nearest nearest_of(std::span<const dvec2> samples, dvec2 place) {
-  return nearest_of(tile, samples, place);
+constexpr Nearest nearest(std::span<const dvec2> samples, dvec2 place) {
+  return nearest(tile, samples, place);
 }
 
+/// The samples of a list that come before one of it.
+constexpr std::span<const dvec2> before(const dvec2& sample, std::span<const dvec2> samples) {
+  return samples.first(static_cast<std::size_t>(&sample - samples.data()));
+}
 /// How many candidates a sample has after these: so many for each of them.
-constexpr int count_of(std::span<const dvec2> before, int candidates) {
-  return candidates * std::max(static_cast<int>(before.size()), 1);
+constexpr int count_of(std::span<const dvec2> before, int times) {
+  return times * std::max(static_cast<int>(before.size()), 1);
 }
 
 /// The largest number of cells a side of the area is cut into.
 inline constexpr int most_cells = 1 << 14;
 
 /// What the methods with a radius take.
-inline void check(const Area& area, double radius) {
+inline void expect_area(const Area& area, double radius) {
   const double width = area.size.x, height = area.size.y;
   expects(0 < width && width <= 0x1p500 && 0 < height && height <= 0x1p500,
           "an area has a size above 0, not {} x {}", width, height);
@@ -241,7 +248,8 @@ inline void check(const Area& area, double radius) {
 /// area: where. radius: the distance of any two samples, in its unit. misses: how many darts in a row must
 ///   miss, >= 1. plot(dvec2) is called for each sample, in their order.
 ///
-/// Domain: as check says: the radius is no smaller than 1.5/2^14 of the longer side, and of a tile at most
+/// Domain: as expect_area says: the radius is no smaller than 1.5/2^14 of the longer side, and of a tile at
+/// most
 ///   half of the shorter.
 /// Steps: Started Tried+ Finished.
 /// Accuracy: no two samples are nearer than the radius, not even by a rounding. It leaves gaps: how many
@@ -251,33 +259,32 @@ inline void check(const Area& area, double radius) {
 template <class Plot, Observer<Started, Tried, Finished> O = Unobserved>
 void dart_throwing(const Area& area, double radius, int misses, Random random, Plot&& plot,
                    O&& observer = {}) {
-  check(area, radius);
+  expect_area(area, radius);
   expects(misses >= 1, "at least 1 dart must miss, not {}", misses);
   Grid grid(area, radius);
-  const double least = safe_square(radius);
-  int samples = 0, missed = 0;
+  auto least = safe_square(radius);
+  int missed = 0;
   if constexpr (observed<O>) observer(Started{area, radius, grid.cells()});
   while (missed < misses) {
     // Anywhere
-    auto dart = random_place(area, random);
+    auto p = any_in(area, random);
     // Far enough from all others?
-    const Nearest near = grid.nearest(dart);
-    const bool kept = near.square >= least;
-    if constexpr (observed<O>) observer(Tried{dart, near.distance(), near.sample, true, kept});
+    auto near = grid.nearest(p);
+    bool kept = near.d2 >= least;
+    if constexpr (observed<O>) observer(Tried{p, near.distance(), near.sample, true, kept});
     missed += 1;
     if (!kept) continue;
-    grid.put(dart);
-    plot(dart);
-    samples += 1;
+    grid.put(p);
+    plot(p);
     missed = 0;
   }
-  if constexpr (observed<O>) observer(Finished{samples});
+  if constexpr (observed<O>) observer(Finished{grid.samples()});
 }
 
 /// Looks for each new sample beside one that is there, between one and two radii from it.
 /// Source: R. Bridson, Fast Poisson disk sampling in arbitrary dimensions, SIGGRAPH 2007 sketches.
 ///
-/// area, radius, plot: as for dart_throwing. tries: how many places are tried beside a sample, >= 1; 30 are
+/// area, radius, plot: as for dart_throwing. k: how many places are tried beside a sample, >= 1; 30 are
 ///   usual.
 ///
 /// Domain: as for dart_throwing.
@@ -288,85 +295,84 @@ void dart_throwing(const Area& area, double radius, int misses, Random random, P
 ///   asks some 25 cells.
 /// Errors: ContractViolation outside the domain.
 template <class Plot, Observer<Started, Chosen, Tried, Retired, Finished> O = Unobserved>
-void bridson(const Area& area, double radius, int tries, Random random, Plot&& plot, O&& observer = {}) {
-  check(area, radius);
-  expects(tries >= 1, "at least 1 try beside a sample, not {}", tries);
+void bridson(const Area& area, double radius, int k, Random random, Plot&& plot, O&& observer = {}) {
+  expect_area(area, radius);
+  expects(k >= 1, "at least 1 try beside a sample, not {}", k);
   const Ring ring{area, radius};
   Grid grid(area, radius);
-  const double least = safe_square(radius);
-  int samples = 0;
+  auto least = safe_square(radius);
   std::vector<dvec2> active;
-  const auto keep = [&](dvec2 sample) {
+  if constexpr (observed<O>) observer(Started{area, radius, grid.cells()});
+  auto keep = [&](dvec2 sample) {
     grid.put(sample);
     active.push_back(sample);
     plot(sample);
-    samples += 1;
   };
-  if constexpr (observed<O>) observer(Started{area, radius, grid.cells()});
   // The first one anywhere
-  auto first = random_place(area, random);
-  keep(first);
-  if constexpr (observed<O>) observer(Tried{first, Nearest().distance(), first, true, true});
+  auto p = any_in(area, random);
+  keep(p);
+  if constexpr (observed<O>) observer(Tried{p, Nearest().distance(), p, true, true});
   while (!active.empty()) {
     // Any active sample
-    const auto i = any_of(active, random);
+    auto i = any_of(active, random);
     const dvec2 sample = active[i];
     if constexpr (observed<O>) observer(Chosen{sample, static_cast<int>(active.size())});
     bool kept = false;
-    for (int k = 0; k < tries && !kept; ++k) {
-      // A place in the ring round it
-      auto place = ring.at(sample, random);
-      const bool inside =  // of the area
-          contains(area, place);
+    for (int n = 0; n < k; ++n) {
+      // A place in the ring
+      p = ring.at(sample, random);
+      bool in = contains(area, p);
       // Far enough from all others?
-      const auto near = grid.nearest(place);
-      kept = inside && near.square >= least;
-      if constexpr (observed<O>) observer(Tried{place, near.distance(), near.sample, inside, kept});
-      if (kept) keep(place);
+      auto near = grid.nearest(p);
+      kept = in && near.d2 >= least;
+      if constexpr (observed<O>) observer(Tried{p, near.distance(), near.sample, in, kept});
+      if (!kept) continue;
+      keep(p);
+      break;
     }
     if (kept) continue;
     // No room beside it
     remove(active, i);
     if constexpr (observed<O>) observer(Retired{sample});
   }
-  if constexpr (observed<O>) observer(Finished{samples});
+  if constexpr (observed<O>) observer(Finished{grid.samples()});
 }
 
 /// Puts down exactly so many samples, each the best of several candidates: the one farthest from all samples
 /// before. The unit square is a tile, so that the pattern of a pixel goes on in those beside it.
 /// Source: D. P. Mitchell, Spectrally optimal sampling for distribution ray tracing, SIGGRAPH 1991.
 ///
-/// samples: where they are put, in [0, 1) x [0, 1). candidates: for each sample so many times the number of
-///   samples before, >= 1; more make the pattern more even.
+/// samples: where they are put, in [0, 1) x [0, 1). times: each sample has so many times as many candidates
+/// as
+///   samples before it, >= 1; more make the pattern more even.
 ///
 /// Domain: up to 4,096 samples.
 /// Steps: Started (Compared+ Taken)* Finished.
 /// Accuracy: promises no distance: the smallest one is returned; infinite for fewer than two samples.
-/// Cost: candidates * n^3 / 3 distances for n samples.
+/// Cost: times * n^3 / 3 distances for n samples.
 /// Errors: ContractViolation outside the domain.
 template <Observer<Started, Compared, Taken, Finished> O = Unobserved>
-double best_candidate(std::span<dvec2> samples, int candidates, Random random, O&& observer = {}) {
+double best_candidate(std::span<dvec2> samples, int times, Random random, O&& observer = {}) {
   expects(samples.size() <= 4096, "at most 4096 samples, not {}", samples.size());
-  expects(candidates >= 1, "at least 1 candidate a sample, not {}", candidates);
+  expects(times >= 1, "at least 1 candidate a sample, not {}", times);
   double least = infinite;
   if constexpr (observed<O>) observer(Started{tile, 0, ivec2(0)});
-  std::size_t i = 0;
-  for (dvec2& sample : samples) {
-    const auto before = samples.first(i++);
-    auto n = count_of(before, candidates);
+  for (dvec2& s : samples) {
+    auto old = before(s, samples);
+    auto n = count_of(old, times);
     double far = -1;
     for (int k = 0; k < n; ++k) {
-      // The farthest from all before
-      auto place = random_place(tile, random);
-      auto near = nearest_of(before, place);
-      const bool better = near.square > far;
-      if constexpr (observed<O>) observer(Compared{place, near.distance(), near.sample, better});
+      // The farthest from others
+      auto p = any_in(tile, random);
+      auto near = nearest(old, p);
+      bool better = near.d2 > far;
+      if constexpr (observed<O>) observer(Compared{p, near.distance(), near.sample, better});
       if (!better) continue;
-      far = near.square;
-      sample = place;
+      far = near.d2;
+      s = p;
     }
     least = std::min(least, far);
-    if constexpr (observed<O>) observer(Taken{sample, std::sqrt(far), n});
+    if constexpr (observed<O>) observer(Taken{s, std::sqrt(far), n});
   }
   if constexpr (observed<O>) observer(Finished{static_cast<int>(samples.size())});
   return std::sqrt(least);

@@ -72,7 +72,7 @@ std::vector<Case> cases() {
     }
     all.push_back(case_of("independent", Standing::robust, count, [count](Random random) {
       std::vector<dvec2> samples(static_cast<std::size_t>(count));
-      for (dvec2& p : samples) p = random_place(tile, random);
+      for (dvec2& p : samples) p = any_in(tile, random);
       return samples;
     }));
   }

@@ -127,7 +127,7 @@ double alone_error(const Input& i) {
   const Area area = area_of(i);
   std::vector<dvec2> samples;
   bridson(area, i[2], static_cast<int>(i[4]), Random(static_cast<std::uint64_t>(i[5])), [&](dvec2 p) {
-    if (!samples.empty() && nearest_of(area, samples, p).distance() > 2 * i[2] * (1 + 1e-12))
+    if (!samples.empty() && nearest(area, samples, p).distance() > 2 * i[2] * (1 + 1e-12))
       samples.emplace_back(-1);
     samples.push_back(p);
   });

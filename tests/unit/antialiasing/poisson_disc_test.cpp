@@ -88,7 +88,7 @@ TEST(PoissonDisc, BridsonLeavesNoGapOfTwoRadii) {
     double farthest = 0;
     for (int y = 0; y < 200; ++y) {
       for (int x = 0; x < 200; ++x)
-        farthest = std::max(farthest, nearest_of(area, samples, (dvec2(x, y) + 0.5) / 200.0).distance());
+        farthest = std::max(farthest, nearest(area, samples, (dvec2(x, y) + 0.5) / 200.0).distance());
     }
     EXPECT_LT(farthest, 2 * radius);
     EXPECT_GT(farthest, 0.8 * radius);  // gaps there are
@@ -121,7 +121,7 @@ TEST(PoissonDisc, TheGridFindsTheNearestOfThoseTooNear) {
       int& missed;
       void operator()(const Started&) {}
       void operator()(const Tried& t) {
-        const double right = nearest_of(area, samples, t.place).distance();
+        const double right = nearest(area, samples, t.place).distance();
         if (right < 0.07) EXPECT_EQ(t.nearest, right);
         EXPECT_EQ(t.kept, right * right >= safe_square(0.07));
         ++asked;
