@@ -53,8 +53,8 @@ struct FrameTaken {
 
 /// f minus the multiple of fs that lies nearest to it: exact for all sizes. Of two multiples equally
 /// near, either.
-inline double less_nearest_multiple(double f, double fs) { return std::remainder(f, fs); }
-inline Exact less_nearest_multiple(Exact f, Exact fs) { return f - fs * Exact(floor(f / fs + Exact(1, 2))); }
+inline double nearest_rest(double f, double fs) { return std::remainder(f, fs); }
+inline Exact nearest_rest(Exact f, Exact fs) { return f - fs * Exact(floor(f / fs + Exact(1, 2))); }
 
 inline double size(double x) { return std::abs(x); }
 inline Exact size(Exact x) { return abs(x); }
@@ -79,7 +79,7 @@ constexpr void sample(const Signal& signal, const T& fs, std::span<T> samples, O
   expects(fs > T(0), "a sampling rate above 0");
   std::int64_t k = 0;
   for (T& value : samples) {
-    // Between two samples nobody looks
+    // Nobody looks in between
     const T t = T(k) / fs;
     value = signal(t);
     if constexpr (observed<O>) observer(Sampled<T>{k, t, value});
@@ -103,11 +103,11 @@ constexpr void sample(const Signal& signal, const T& fs, std::span<T> samples, O
 template <class T, Observer<Folded<T>> O = Unobserved>
 constexpr T alias_of(const T& f, const T& fs, O&& observer = {}) {
   expects(fs > T(0), "a sampling rate above 0");
-  // Whole rates leave no trace in samples
-  const T nearest = less_nearest_multiple(f, fs);
-  // In the middle between two: the upper one
-  const bool tie = size(nearest + nearest) == fs;
-  const T alias = tie ? size(nearest) : nearest;
+  // Whole rates leave no trace
+  const T r = nearest_rest(f, fs);
+  // Midway between two: the upper
+  bool tie = size(r + r) == fs;
+  const T alias = tie ? size(r) : r;
   if constexpr (observed<O>) observer(Folded<T>{f, fs, alias, tie});
   return alias;
 }
@@ -168,11 +168,11 @@ double reconstruct(std::span<const double> samples, double x, const Kernel& kern
   expects(!samples.empty(), "one sample or more");
   double sum = 0;
   std::int64_t k = 0;
-  for (const double value : samples) {
-    // 0 at the places of all other samples
-    const auto weight = kernel(x - double(k));
-    sum += value * weight;
-    if constexpr (observed<O>) observer(KernelAdded{k, value, weight, sum});
+  for (double value : samples) {
+    // 0 at all other samples
+    auto w = kernel(x - double(k));
+    sum += value * w;
+    if constexpr (observed<O>) observer(KernelAdded{k, value, w, sum});
     ++k;
   }
   return sum;
@@ -180,10 +180,10 @@ double reconstruct(std::span<const double> samples, double x, const Kernel& kern
 
 // --- Time -------------------------------------------------------------------------------------------------
 
-/// alias_of(n f, fs). In doubles the product is kept in two parts, so that no rounding decides on which side
+/// The alias of n f. In doubles the product is kept in two parts, so that no rounding decides on which side
 /// of the middle it lies.
-inline Exact alias_of_multiple(std::int64_t n, Exact f, Exact fs) { return alias_of(Exact(n) * f, fs); }
-inline double alias_of_multiple(std::int64_t n, double f, double fs) {
+inline Exact alias_of(std::int64_t n, Exact f, Exact fs) { return alias_of(Exact(n) * f, fs); }
+inline double alias_of(std::int64_t n, double f, double fs) {
   const Rounded product = two_product(static_cast<double>(n), std::remainder(f, fs));
   const Rounded sum = two_sum(std::remainder(product.value, fs), std::remainder(product.error, fs));
   // Two rests of at most fs/2 each: their sum may lie one rate too far
@@ -213,8 +213,8 @@ template <class T>
 constexpr T apparent_speed(const T& f, const T& fps, std::int64_t n) {
   expects(fps > T(0), "a frame rate above 0");
   expects(n >= 1, "a spoke or more");
-  // n times a revolution the picture is the same
-  return alias_of_multiple(n, f, fps) / T(n);
+  // n times a turn it looks alike
+  return alias_of(n, f, fps) / T(n);
 }
 
 /// A wheel on film: how far it has turned in each frame, and how far it seems to have.
@@ -226,13 +226,13 @@ constexpr T apparent_speed(const T& f, const T& fps, std::int64_t n) {
 /// and two roundings. Cost: one speed, and a division and two products a frame. Errors: as apparent_speed.
 template <class T, Observer<FrameTaken<T>> O = Unobserved>
 constexpr void film_wheel(const T& f, const T& fps, std::int64_t n, std::span<T> seen, O&& observer = {}) {
-  // Each spoke is taken for the nearest one
-  const T speed = apparent_speed(f, fps, n);
+  // Spokes look like the nearest
+  T v = apparent_speed(f, fps, n);
   std::int64_t k = 0;
   for (T& turn : seen) {
-    // A frame has places, no ways between
+    // Frames have places, not ways
     const T t = T(k) / fps;
-    turn = speed * t;
+    turn = v * t;
     if constexpr (observed<O>) observer(FrameTaken<T>{k, f * t, turn});
     ++k;
   }

@@ -14,6 +14,10 @@
 
 namespace gradus::sampling_theorem {
 
+/// Half a cycle from 1, white, to 0, black, for each whole x.
+inline double wave(double x) { return 0.5 + 0.5 * sin_cos_half_turns(x).cos; }
+inline bool is_even(double whole) { return std::remainder(whole, 2) == 0; }
+
 /// Rings that grow finer outwards: at the distance r from the centre there are r / distance cycles a pixel.
 /// At r = distance/2 they pass half the rate of one sample a pixel; `distance` pixels from the centre, along
 /// both axes, samples show centres that are not there. Source: Fresnel 1816 (the plate); for test pictures,
@@ -22,9 +26,11 @@ struct ZonePlate {
   dvec2 centre;
   double distance;  ///< above 0
 
-  double operator()(dvec2 p) const {
-    const dvec2 way = p - centre;
-    return 0.5 + 0.5 * sin_cos_half_turns((way.x * way.x + way.y * way.y) / distance).cos;
+  double operator()(dvec2 p) const { return rings(p); }
+  double rings(dvec2 p) const {
+    const dvec2 r = p - centre;
+    auto r2 = r.x * r.x + r.y * r.y;
+    return wave(r2 / distance);
   }
   /// Cycles a pixel at p, straight away from the centre.
   double frequency(dvec2 p) const {
@@ -40,12 +46,14 @@ struct Chequerboard {
   double focal;     ///< distance of the picture in pixels, above 0
   double side;      ///< of a square, in heights of the eye, above 0
 
-  double operator()(dvec2 p) const {
+  double operator()(dvec2 p) const { return squares(p); }
+  double squares(dvec2 p) const {
     if (p.y <= vanishing.y) return 1;
-    const double down = p.y - vanishing.y;
-    const double across = std::floor((p.x - vanishing.x) / down / side);
-    const double ahead = std::floor(focal / down / side);
-    return std::remainder(across + ahead, 2) == 0 ? 1 : 0;
+    const dvec2 d = p - vanishing;
+    // To the right and ahead
+    const dvec2 at(d.x, focal);
+    auto n = floor(at / d.y / side);
+    return is_even(n.x + n.y) ? 1 : 0;
   }
   /// So many rows below the horizon the squares get lower than a pixel.
   double finest() const { return gradus::sqrt(focal / side); }
@@ -90,7 +98,7 @@ struct HalfPlane {
 struct Grating {
   dvec2 frequency;
 
-  double operator()(dvec2 p) const { return 0.5 + 0.5 * sin_cos_half_turns(2 * phase(p)).cos; }
+  double operator()(dvec2 p) const { return wave(2 * phase(p)); }
   /// Its mean over a pixel.
   double mean(ivec2 pixel) const {
     const double middle = sin_cos_half_turns(2 * phase(dvec2(pixel) + 0.5)).cos;
@@ -111,17 +119,19 @@ struct Grating {
 /// Domain: any pixel. Steps: none. Accuracy: n n roundings. Cost: n n calls of the pattern.
 /// Errors: n below 1 is refused.
 template <class Pattern>
-constexpr double pixel_of(const Pattern& pattern, ivec2 pixel, int n) {
+constexpr double pixel_of(const Pattern& pattern, ivec2 p, int n) {
   expects(n >= 1, "a sample a pixel or more");
+  const double N = n;
   double sum = 0;
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
-      // In the middle of one of n x n parts
-      const dvec2 part = dvec2(i, j) + 0.5;
-      sum += pattern(dvec2(pixel) + part / double(n));
+      // In the middle of a part
+      auto part = dvec2(i, j) + 0.5;
+      auto at = dvec2(p) + part / N;
+      sum += pattern(at);
     }
   }
-  return sum / (double(n) * n);
+  return sum / (N * N);
 }
 
 /// A picture of a pattern, n x n samples a pixel.

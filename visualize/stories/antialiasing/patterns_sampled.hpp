@@ -140,6 +140,8 @@ void tell_pattern(Narrator& narrator, const std::string& name, const Pattern& pa
 }
 
 inline void tell_zone_plate(Narrator& narrator) {
+  narrator.list("rings");
+  narrator.list_below("pixel_of");
   const Arguments& given = narrator.arguments();
   const int side = static_cast<int>(given.integer("pixels"));
   const double distance = *given.number("distance");
@@ -161,6 +163,8 @@ inline void tell_zone_plate(Narrator& narrator) {
 }
 
 inline void tell_chequerboard(Narrator& narrator) {
+  narrator.list("squares");
+  narrator.list_below("pixel_of");
   const Arguments& given = narrator.arguments();
   const int side = static_cast<int>(given.integer("pixels"));
   const double square = *given.number("square");

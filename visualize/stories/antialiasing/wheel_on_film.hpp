@@ -195,7 +195,11 @@ inline void tell_wheel(Narrator& narrator, bool asked) {
   narrator.result({{"speed", story.speed()}});
 }
 
-inline void tell_wagon_wheel(Narrator& narrator) { tell_wheel(narrator, false); }
+inline void tell_wagon_wheel(Narrator& narrator) {
+  narrator.list("apparent_speed");
+  narrator.list_below("film_wheel");
+  tell_wheel(narrator, false);
+}
 inline void tell_half_frame_rate(Narrator& narrator) { tell_wheel(narrator, true); }
 
 }  // namespace gradus::sampling_theorem
