@@ -26,34 +26,6 @@ inline constexpr int most_passes = 1 << 20;
 
 // --- The buffer --------------------------------------------------
 
-/// The caller's sums, row by row, of a picture of this size. Value: float, double, gradus::Exact or a vector
-/// of them: wider than what a picture is stored in, for a sum of n bytes has up to 255 n.
-template <class Value>
-struct Sums {
-  std::span<Value> values;
-  ivec2 size;  ///< columns and rows
-
-  /// Errors: ContractViolation unless there is one value a pixel.
-  constexpr Sums(std::span<Value> its_values, ivec2 its_size) : values(its_values), size(its_size) {
-    expects(size.x >= 0 && size.y >= 0, "a picture of {} x {} pixels", size.x, size.y);
-    expects(std::ssize(values) == std::int64_t{size.x} * size.y, "{} sums for {} x {} pixels", values.size(),
-            size.x, size.y);
-  }
-
-  constexpr void clear() const { std::ranges::fill(values, Value(0)); }
-  /// One value of a pass is added. Domain: a pixel of the picture, 0 <= x < columns, 0 <= y < rows.
-  constexpr void operator()(ivec2 pixel, const Value& value) const {
-    Value& sum = values[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) +
-                        static_cast<std::size_t>(pixel.x)];
-    sum = sum + value;
-  }
-  /// The sums become means.
-  template <class Scalar>
-  constexpr void divide(const Scalar& passes) const {
-    for (Value& sum : values) sum = sum / passes;
-  }
-};
-
 /// The type that the values of a picture are divided by: of a vector its components', else its own.
 template <class Value>
 struct ScalarOf {
@@ -66,6 +38,44 @@ struct ScalarOf<Value> {
 };
 template <class Value>
 using Scalar = typename ScalarOf<Value>::type;
+
+/// The caller's sums, row by row, of a picture of this size. Value: float, double, gradus::Exact or a vector
+/// of them: wider than what a picture is stored in, for a sum of n bytes has up to 255 n.
+template <class Value>
+struct Sums {
+  using T = Scalar<Value>;
+  std::span<Value> values;
+  ivec2 size;  ///< columns and rows
+
+  /// Errors: ContractViolation unless there is one value a pixel.
+  constexpr Sums(std::span<Value> its_values, ivec2 its_size) : values(its_values), size(its_size) {
+    expects(size.x >= 0 && size.y >= 0, "a picture of {} x {} pixels", size.x, size.y);
+    expects(std::ssize(values) == std::int64_t{size.x} * size.y, "{} sums for {} x {} pixels", values.size(),
+            size.x, size.y);
+  }
+
+  constexpr void clear() const { std::ranges::fill(values, Value(0)); }
+  /// One value of a pass is added. Domain: a pixel of the picture, 0 <= x < columns, 0 <= y < rows.
+  constexpr void operator()(ivec2 pixel, const Value& value) const { add(pixel, value); }
+  constexpr void add(ivec2 p, const Value& value) const {
+    // Wide enough for all passes
+    Value& sum = at(p);
+    sum = sum + value;
+  }
+  /// The sums become means.
+  constexpr void divide(int passes) const {
+    const auto n = T(passes);
+    for (Value& sum : values) {
+      sum = sum / n;
+    }
+  }
+
+ private:
+  constexpr Value& at(ivec2 p) const {
+    return values[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size.x) +
+                  static_cast<std::size_t>(p.x)];
+  }
+};
 
 /// What draws the picture of a pass: render(place, plot) calls plot(pixel, value), at most once a pixel.
 template <class Render, class Place, class Value>
@@ -204,21 +214,21 @@ constexpr void accumulate(ivec2 grid, Render&& render, const Sums<Value>& sums, 
   for (int j = 0; j < b; ++j) {
     for (int i = 0; i < a; ++i) {
       // One place of every pixel
-      const auto place = place_of(i, j, grid);
+      auto p = place_of(i, j, grid);
       // The whole picture is added
-      render(place, sums);
-      if constexpr (observed<O>) observer(PassAdded{j * a + i, place});
+      render(p, sums);
+      if constexpr (observed<O>) observer(PassAdded{j * a + i, p});
     }
   }
   // The mean of all passes
-  sums.divide(Scalar<Value>(a * b));
+  sums.divide(a * b);
   if constexpr (observed<O>) observer(Averaged{a * b});
 }
 
 /// Blurs what moves: renders the picture at the middle of each of n parts of the time that the shutter is
 /// open, and takes the mean. Source: as accumulate.
 ///
-/// passes: n. shutter: when it opens and closes. render(double moment, plot): draws the picture of a moment.
+/// n: passes. shutter: when it opens and closes. render(double moment, plot): draws the picture of a moment.
 ///   sums: as for accumulate.
 ///
 /// Domain: 1 <= n <= 2^20; finite times, opens <= closes.
@@ -228,24 +238,24 @@ constexpr void accumulate(ivec2 grid, Render&& render, const Sums<Value>& sums, 
 /// Cost: n renderings, as many additions a pixel, a division a pixel; no memory but the sums.
 /// Errors: ContractViolation for other numbers of passes and for shutters that close before they open.
 template <class Value, Renders<double, Value> Render, Observer<Started, MomentAdded, Averaged> O = Unobserved>
-constexpr void motion_blur(int passes, const Shutter& shutter, Render&& render, const Sums<Value>& sums,
+constexpr void motion_blur(int n, const Shutter& shutter, Render&& render, const Sums<Value>& sums,
                            O&& observer = {}) {
-  expects(allowed(passes, 1), "{} passes are not from 1 to {}", passes, most_passes);
+  expects(allowed(n, 1), "{} passes are not from 1 to {}", n, most_passes);
   expects(shutter.opens <= shutter.closes, "the shutter opens at {} and closes at {}", shutter.opens,
           shutter.closes);
   // Nothing is in the buffer yet
   sums.clear();
-  if constexpr (observed<O>) observer(Started{passes});
-  for (int k = 0; k < passes; ++k) {
+  if constexpr (observed<O>) observer(Started{n});
+  for (int k = 0; k < n; ++k) {
     // The middle of a part
-    const auto t = shutter.moment(k, passes);
+    auto t = shutter.moment(k, n);
     // The picture of that moment
     render(t, sums);
     if constexpr (observed<O>) observer(MomentAdded{k, t});
   }
   // The mean of all moments
-  sums.divide(Scalar<Value>(passes));
-  if constexpr (observed<O>) observer(Averaged{passes});
+  sums.divide(n);
+  if constexpr (observed<O>) observer(Averaged{n});
 }
 
 /// Blurs what is out of focus: renders the picture from n x n eyes on the lens, sheared so that the depth of
@@ -271,14 +281,14 @@ constexpr void depth_of_field(int n, const Lens& lens, Render&& render, const Su
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       // An eye on the lens
-      const auto eye = lens.eye(i, j, n);
+      auto eye = lens.eye(i, j, n);
       // The picture that it sees
       render(eye, sums);
       if constexpr (observed<O>) observer(EyeAdded{j * n + i, eye});
     }
   }
   // The mean of all eyes
-  sums.divide(Scalar<Value>(n * n));
+  sums.divide(n * n);
   if constexpr (observed<O>) observer(Averaged{n * n});
 }
 

@@ -179,12 +179,18 @@ void tell_greys(Narrator& narrator, const Run& run) {
 }
 
 inline void tell_wide_sums(Narrator& narrator) {
+  narrator.list("add");
+  narrator.list_below("divide");
+  narrator.list_below("accumulate");
   tell_greys<double>(narrator, [](ivec2 grid, const Wedge& wedge, auto& sums, const auto& observer) {
     const auto render = [&](dvec2, const Sums<double>& plot) { wedge.draw(plot); };
     accumulate(grid, render, Sums<double>(sums, Wedge::size), observer);
   });
 }
 inline void tell_eight_bits(Narrator& narrator) {
+  narrator.list("add");
+  narrator.list_below("divide");
+  narrator.list_below("eight_bits");
   tell_greys<std::uint8_t>(narrator, [](ivec2 grid, const Wedge& wedge, auto& sums, const auto& observer) {
     const auto render = [&](dvec2, const ByteSums& plot) { wedge.draw(plot); };
     eight_bits(grid, render, ByteSums{sums, Wedge::size}, observer);
