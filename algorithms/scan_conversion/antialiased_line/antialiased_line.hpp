@@ -83,13 +83,6 @@ constexpr ivec2 side_of(const Moves& go) { return go.diagonal - go.straight; }
 /// From a column to the next, one aside or not.
 constexpr ivec2 move_of(const Moves& go, bool aside) { return aside ? go.diagonal : go.straight; }
 
-/// The pixel and the one aside of it share a column.
-template <class Plot>
-constexpr void plot_pair(ivec2 pixel, ivec2 aside, int far, Plot&& plot) {
-  plot(pixel, full - far);
-  if (far > none) plot(pixel + aside, far);
-}
-
 /// Draws a line by two pixels a column, whose intensities are the fractions by which the line passes between
 /// them. The fraction is kept in fixed point and one addition serves two columns, for from either end the
 /// line looks the same.
@@ -109,32 +102,42 @@ constexpr void plot_pair(ivec2 pixel, ivec2 aside, int far, Plot&& plot) {
 /// Errors: none.
 template <class Plot, Observer<Started, Paired, Finished> O = Unobserved>
 constexpr void wu(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
-  const auto size = extent(from, to);
+  Extent size = extent(from, to);
   const Moves go = moves(from, to);
   const ivec2 aside = side_of(go);
-  const Whole slope = slope_of(size);
+  Whole slope = slope_of(size);
   if constexpr (observed<O>) observer(Started{from, to, size.dx, size.dy, go});
   // Both ends lie on the line
   plot(from, full);
   if (from != to) plot(to, full);
+  // Two pixels share a column
+  int far = none;
+  auto pair = [&](auto p, auto q) {
+    plot(p, full - far);
+    if (far > none) plot(q, far);
+  };
   ivec2 front = from, back = to;
   Whole place = 0;
-  for (Whole k = 1; 2 * k <= size.dx; ++k) {
-    // Where the next column is crossed
+  const Whole mid = size.dx / 2;
+  for (Whole k = 1; k <= mid; ++k) {
+    // Where the next is crossed
     const Whole sum = place + slope;
     const bool over = sum >= one;
     place = over ? sum - one : sum;
-    const auto move = move_of(go, over);
+    auto move = move_of(go, over);
     front += move;
     back -= move;
     // The fraction is the far one's
-    const int far = first_byte(place);
+    far = first_byte(place);
     if constexpr (observed<O>) observer(Paired{k, sum - slope, place, over, front, back, full - far, far});
-    const bool middle = 2 * k == size.dx;
-    if (!middle || go.tie)  // of the middle column one of both
-      plot_pair(front, aside, far, plot);
-    if (!middle || !go.tie)  // by where the tie goes
-      plot_pair(back, -aside, far, plot);
+    // A middle column is one end's
+    bool both = 2 * k != size.dx;
+    if (both || go.tie) {
+      pair(front, front + aside);
+    }
+    if (both || !go.tie) {
+      pair(back, back - aside);
+    }
   }
   if constexpr (observed<O>) observer(Finished{size.dx + 1});
 }
@@ -222,6 +225,8 @@ class ConeTable {
     if (!(distance < 1.5)) return none;
     return bytes_[static_cast<std::size_t>(256 * distance + 0.5)];
   }
+  /// The same on either side, where distances on one are negative.
+  int beside(double distance) const { return at(std::abs(distance)); }
 
  private:
   std::array<std::uint8_t, 385> bytes_{};
@@ -260,31 +265,33 @@ struct Measured {
 template <class Plot, Observer<Started, Measured, Finished> O = Unobserved>
 void gupta_sproull(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
   expects(has_room(from, to), "the line comes nearer than {} pixels to the end of int32", margin);
-  const auto [dx, dy] = extent(from, to);
+  Extent size = extent(from, to);
+  auto [dx, dy] = size;
   const Moves go = moves(from, to);
   const ivec2 aside = side_of(go);
-  const ConeTable& cone = cone_table();
-  const Whole span = dx == 0 ? 1 : dx;
-  const double unit = 1 / length_of({dx, dy});
+  auto& cone = cone_table();
+  Whole span = dx == 0 ? 1 : dx;
+  auto unit = 1 / length_of(size);
   if constexpr (observed<O>) observer(Started{from, to, dx, dy, go});
   ivec2 nearest = from;
-  // dx times the axis's height above it
+  // The axis above it, times dx
   Whole height = 0;
   for (Whole k = 0; k <= dx; ++k) {
-    for (int row = -2; row <= 2; ++row) {
+    for (int i = -2; i <= 2; ++i) {
       // At right angles to the axis
-      const Whole apart = height - row * span;
-      const double d = unit * double(apart);
-      const int part = cone.at(std::abs(d));
-      auto pixel = nearest + row * aside;
-      if constexpr (observed<O>) observer(Measured{k, row, nearest, pixel, d, part});
-      if (part > none) plot(pixel, part);
+      Whole h = height - i * span;
+      double d = unit * double(h);
+      int ink = cone.beside(d);
+      auto p = nearest + i * aside;
+      if constexpr (observed<O>) observer(Measured{k, i, nearest, p, d, ink});
+      if (ink > none) plot(p, ink);
     }
-    // To the next column's nearest pixel
+    // To the next column's nearest
     nearest += go.straight;
     height += dy;
-    const Whole past = 2 * height - dx;
-    if (past > 0 || (past == 0 && !go.tie)) {
+    // Midway the tie rule decides
+    Whole past = 2 * height - dx;
+    if (past >= (go.tie ? 1 : 0)) {
       nearest += aside;
       height -= dx;
     }
@@ -360,6 +367,21 @@ constexpr Reach reach_of(Extent size, double length, Whole k, Whole row) {
           ahead(size, size.dx - k, size.dy - row) / length};
 }
 
+/// The middle of the line that is drawn, from centre to centre; its pixels by column and row.
+struct Axis {
+  ivec2 from;
+  Extent size;
+  Moves go;
+  double length;
+
+  Axis(ivec2 a, ivec2 b) : from(a), size(extent(a, b)), go(moves(a, b)), length(length_of(size)) {}
+  dvec2 direction() const { return direction_of(size); }
+  /// Of the pixel nearest to it in a column.
+  Whole row(Whole k) const { return row_at(size, go.tie, k); }
+  Reach reach(Whole k, Whole j) const { return reach_of(size, length, k, j); }
+  ivec2 pixel(Whole k, Whole j) const { return place(from, go, k, j); }
+};
+
 /// The line was cut out of a pixel's square; the pixel is about to be plotted.
 struct Cut {
   Whole k;
@@ -384,29 +406,28 @@ struct Cut {
 template <class Plot, Observer<Started, Cut, Finished> O = Unobserved>
 void exact_area(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
   expects(has_room(from, to), "the line comes nearer than {} pixels to the end of int32", margin);
-  const auto size = extent(from, to);
-  const auto [dx, dy] = size;
-  const Moves go = moves(from, to);
-  const double length = length_of(size);
-  const dvec2 along = direction_of(size);
-  const dvec2 across{-along.y, along.x};
-  if constexpr (observed<O>) observer(Started{from, to, dx, dy, go});
+  const Axis axis(from, to);
+  const Whole dx = axis.size.dx;
+  // Along the line, and across it
+  const dvec2 d = axis.direction();
+  const dvec2 n(-d.y, d.x);
+  if constexpr (observed<O>) observer(Started{from, to, dx, axis.size.dy, axis.go});
   for (Whole k = 0; k <= dx; ++k) {
-    auto nearest = row_at(size, go.tie, k);
+    const Whole mid = axis.row(k);
     for (int i = -2; i <= 2; ++i) {
-      // How far the line reaches from it
-      const Whole row = nearest + i;
-      auto r = reach_of(size, length, k, row);
-      // The pixel without what is outside
-      Piece piece = square();
-      piece = within(piece, across, r.left);
-      piece = within(piece, -across, r.right);
-      piece = within(piece, -along, r.back);
-      piece = within(piece, along, r.front);
-      const double area = area_of(piece);
+      // How far the line reaches
+      const Whole j = mid + i;
+      auto r = axis.reach(k, j);
+      // What of the pixel is inside
+      Piece p = square();
+      p = within(p, n, r.left);
+      p = within(p, -n, r.right);
+      p = within(p, -d, r.back);
+      p = within(p, d, r.front);
+      double area = area_of(p);
       if (area <= 0) continue;
-      auto pixel = place(from, go, k, row);
-      if constexpr (observed<O>) observer(Cut{k, pixel, piece, area});
+      auto pixel = axis.pixel(k, j);
+      if constexpr (observed<O>) observer(Cut{k, pixel, p, area});
       plot(pixel, area);
     }
   }
