@@ -93,8 +93,8 @@ inline auto reach(const Polygon& polygon, const Window& box) {
 }
 
 /// What pixel_areas does in the pixels of the polygon's box.
-template <class T, class Plot, Observer<Started, BorderCut, AreaTaken<T>, Finished> O>
-void clip_to_pixels(std::span<const ivec2> corners, const Window& box, Plot&& plot, O&& observer) {
+template <class T = double, class Plot, Observer<Started, BorderCut, AreaTaken<T>, Finished> O = Unobserved>
+void clip_to_pixels(std::span<const ivec2> corners, const Window& box, Plot&& plot, O&& observer = {}) {
   Polygon all = clockwise(corners);
   Polygon half;
   Polygon row;

@@ -10,6 +10,10 @@ extern "C" {
 [[gnu::flatten]] Mask machine_code_mask_of(const Edges& edges, gradus::ivec2 pixel) {
   return mask_of(edges, pixel);
 }
+[[gnu::flatten]] void machine_code_put_in_order(std::vector<Fragment>& list) {
+  ByRange before;
+  put_in_order(list, before);
+}
 double machine_code_resolve(std::vector<Fragment>& list) { return resolve(list, take); }
 double machine_code_by_ranges(std::vector<Fragment>& list) { return by_ranges(list, take); }
 double machine_code_sum_of_areas(std::vector<Fragment>& list) { return sum_of_areas(list, take); }

@@ -11,6 +11,10 @@ void set_tone(gradus::ivec2 p, int tone);
 void show(const sampling::Fragment<double>& fragment, const sampling::Pieces<double>& pieces, double area);
 
 extern "C" {
+[[gnu::flatten]] void machine_code_clip_to_pixels(std::span<const gradus::ivec2> corners,
+                                                  const gradus::Window& box) {
+  sampling::clip_to_pixels(corners, box, set_pixel);
+}
 [[gnu::flatten]] void machine_code_pixel_areas(std::span<const gradus::ivec2> corners,
                                                const gradus::Window& window) {
   sampling::pixel_areas(corners, window, set_pixel);

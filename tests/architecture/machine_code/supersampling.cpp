@@ -13,6 +13,9 @@ dvec3 colour_of(ivec2 pixel);
 
 // Flattened: what is compared is the whole method, not a call of it
 extern "C" {
+[[gnu::flatten]] void machine_code_draw(const Window& window, const Kernel<double>& kernel) {
+  draw(window, kernel, grey_at, set_pixel);
+}
 [[gnu::flatten]] void machine_code_supersample(const Window& window, int n, Filter filter) {
   supersample(window, n, filter, grey_at, set_pixel);
 }
