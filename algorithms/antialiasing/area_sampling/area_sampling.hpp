@@ -85,7 +85,7 @@ auto counting(O& observer) {
 }
 
 /// The rows of a window, none where it is empty, and the columns in which a part of a polygon lies.
-inline auto from_to(int first, int last) { return std::views::iota(first, std::max(first, last + 1)); }
+inline auto from_to(int first, int last) { return std::views::iota(first, last < first ? first : last + 1); }
 inline auto rows(const Window& box) { return from_to(box.lower.y, box.upper.y); }
 inline auto reach(const Polygon& polygon, const Window& box) {
   const auto [first, last] = columns(polygon, box);
