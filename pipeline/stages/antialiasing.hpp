@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "antialiasing/a_buffer/a_buffer_picture.hpp"
 #include "antialiasing/adaptive/adaptive.hpp"
 #include "antialiasing/area_sampling/visible_picture.hpp"
@@ -17,6 +19,7 @@
 #include "core/image.hpp"
 #include "core/random.hpp"
 #include "core/raster.hpp"
+#include "core/refusal.hpp"
 #include "scene/scene.hpp"
 #include "stages/6_rasterization.hpp"
 #include "stages/7_visibility_and_shading.hpp"
@@ -265,10 +268,44 @@ LightPicture of_fragments(Shot& shot, const Draw& draw) {
   return of_fragments(shot, shot.window, draw);
 }
 
+/// Exact areas may take the square of what is seen in a pixel and more: a picture that would take too long is
+/// refused, in one line that names the way out.
+struct CuttingLimit {
+  static constexpr std::int64_t most = 10'000'000,  ///< some seconds
+      more_a_pixel = 100;                           ///< ordinary pixels take fewer
+
+  std::size_t triangles;
+  std::int64_t left;  ///< of the cuts
+
+  CuttingLimit(std::size_t count, const Window& window)
+      : triangles(count), left(most + more_a_pixel * window.width() * window.height()) {}
+
+  void add(std::size_t cuts) {
+    left -= static_cast<std::int64_t>(cuts);
+    if (left >= 0) return;
+    refuse_usage(
+        fmt::format("--aa area_sampling: expected triangles whose areas take at most {} cuts and {} a pixel, "
+                    "found {} that take more; adaptive and a_buffer take samples, and draw any",
+                    most, more_a_pixel, triangles));
+  }
+};
+
+/// The colour of fragments, and a limit of the work.
+struct LimitedColour {
+  FragmentColour& colour;
+  CuttingLimit& limit;
+
+  dvec3 operator()(int triangle, ivec2 pixel, const triangle_coverage::Weights& at) const {
+    return colour(triangle, pixel, at);
+  }
+  void cuts(std::size_t pieces) const { limit.add(pieces); }
+};
+
 /// Exact areas of what is seen.
 inline LightPicture by_areas(Shot& shot) {
   return of_fragments(shot, [](auto triangles, const Window& window, auto& colour, const auto& plot) {
-    area_sampling::visible_areas(triangles, window, colour, plot);
+    CuttingLimit limit(triangles.size(), window);
+    area_sampling::visible_areas(triangles, window, LimitedColour{colour, limit}, plot);
   });
 }
 /// Masks of 32 sub-samples; what lets light through shows what is behind it.

@@ -11,9 +11,9 @@
 #include <concepts>
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <optional>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -210,58 +210,39 @@ struct Finished {
 
 // --- Their order -------------------------------------------------
 
-/// Of two fragments whose depths overlap the one that begins in front is in front: all that can be said where
-/// nothing is known but how deep they reach.
+/// The depths of a fragment where nothing is known but how deep it reaches: where it begins says all.
 struct ByRange {
-  constexpr Mask operator()(const Fragment& a, const Fragment& b, Mask common) const {
-    return nearer(a, b) ? common : 0;
+  constexpr auto operator()(const Fragment& f) const {
+    return [range = std::pair(f.z_near, f.z_far)](int) { return range; };
   }
 };
 
-/// Of the sub-samples that both cover, those at which a lies before b. before(a, b, common): is asked where
-/// their depths overlap.
-constexpr Mask ahead(const Fragment& a, const Fragment& b, auto& before) {
-  const Mask common = a.mask & b.mask;
-  if (common == 0 || b.z_far < a.z_near) return 0;
-  return a.z_far < b.z_near ? common : before(a, b, common);
+/// The sub-samples that several fragments cover.
+constexpr Mask shared(std::span<const Fragment> fragments) {
+  Mask once = 0, twice = 0;
+  for (const Fragment& f : fragments) {
+    twice |= once & f.mask;
+    once |= f.mask;
+  }
+  return twice;
 }
 
-/// Whether no other one of a list that is sorted by nearest depths lies before its first.
-constexpr bool first_is_foremost(std::span<const Fragment> sorted, auto& before) {
-  const Fragment& first = sorted[0];
-  for (std::size_t i = 1; i < sorted.size() && sorted[i].z_near <= first.z_far; ++i)
-    if (ahead(sorted[i], first, before) != 0) return false;
-  return true;
-}
-
-/// How many other fragments of a list lie before one at each sub-sample.
-struct Blockers {
-  std::array<std::int32_t, samples> count{};
-
-  constexpr void add(Mask ahead, std::int32_t change) {
-    for (; ahead != 0; ahead &= ahead - 1) count[static_cast<std::size_t>(last_of(ahead))] += change;
-  }
-  /// The part of a mask where there are none.
-  constexpr Mask open(Mask mask) const {
-    Mask open = 0;
-    for (Mask rest = mask; rest != 0; rest &= rest - 1)
-      if (count[static_cast<std::size_t>(last_of(rest))] == 0) open |= bit_of(last_of(rest));
-    return open;
-  }
-};
-
-/// Fragments that have no place in a list as yet, in the order of nearest depths.
-struct Unplaced {
-  std::vector<Fragment> list;
-  std::vector<Blockers> blockers;
-  std::size_t given = 0;  ///< fragments of the list that these are of
-
-  constexpr Unplaced(std::span<const Fragment> sorted, auto& before)
-      : list(sorted.begin(), sorted.end()), blockers(list.size()) {
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      for (std::size_t j = 0; j < list.size() && list[j].z_near <= list[i].z_far; ++j)
-        if (j != i) blockers[i].add(ahead(list[j], list[i], before), 1);
+/// Fragments that have no place in a list as yet: at each sub-sample a queue of those that cover it, front to
+/// back, and one of those that cover none.
+template <class Depths>
+class Queues {
+ public:
+  /// sorted: by nearest depths.
+  constexpr Queues(std::span<const Fragment> sorted, Depths& depths)
+      : rest_(sorted.begin(), sorted.end()), open_(sorted.size()) {
+    make_room();
+    const Mask asked = shared(sorted);
+    for (std::size_t i = 0; i < rest_.size(); ++i) line_up(i, asked, depths(rest_[i]));
+    for (const Queue& queue : std::span(queues_).first(samples)) {
+      std::ranges::sort(waiting_.begin() + queue.first, waiting_.begin() + queue.end,
+                        [this](const Waiting& a, const Waiting& b) { return before(a, b); });
     }
+    for (int sample = 0; sample < samples; ++sample) open_first(sample);
   }
   /// Moves all to a list, each when no other that is left lies before it.
   constexpr void append_to(std::vector<Fragment>& order, auto& before) {
@@ -271,51 +252,120 @@ struct Unplaced {
  private:
   /// Takes the first off that no other lies before at any sub-sample. Where there is none, for surfaces
   /// cross, it is the part of the first that is open in part.
-  constexpr Fragment taken(auto& before) {
-    std::optional<std::size_t> in_part;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const Mask open = blockers[i].open(list[i].mask);
-      if (open == list[i].mask) return taken(i, open, before);
-      if (open != 0 && !in_part) in_part = i;
-    }
-    const std::size_t i = in_part.value_or(0);
-    return taken(i, in_part ? blockers[i].open(list[i].mask) : list[i].mask, before);
-  }
-  constexpr Fragment taken(std::size_t number, Mask open, auto& before) {
-    Fragment part = list[number];
-    part.mask = open;
-    list[number].mask &= ~open;
-    for (std::size_t i = 0; i < list.size(); ++i)
-      if (i != number) blockers[i].add(ahead(part, list[i], before), -1);
-    if (list[number].mask == 0) {
-      list.erase(list.begin() + static_cast<std::ptrdiff_t>(number));
-      blockers.erase(blockers.begin() + static_cast<std::ptrdiff_t>(number));
+  constexpr Fragment taken() {
+    const std::size_t i = next();
+    Fragment part = rest_[i];
+    part.mask = std::exchange(open_[i], 0);
+    rest_[i].mask &= ~part.mask;
+    if (part.mask == 0) ++queues_[samples].first;
+    for (Mask left = part.mask; left != 0; left &= left - 1) {
+      ++queues_[static_cast<std::size_t>(last_of(left))].first;
+      open_first(last_of(left));
     }
     return part;
   }
+
+  constexpr bool empty() const { return std::ranges::all_of(queues_, &Queue::empty); }
+
+ private:
+  using Depth = std::invoke_result_t<std::invoke_result_t<Depths&, const Fragment&>, int>;
+  struct Waiting {
+    std::size_t number = 0;  ///< of a fragment
+    Depth depth{};           ///< at the sub-sample, if others are there
+  };
+  struct Queue {
+    std::ptrdiff_t first = 0, end = 0;
+    constexpr bool empty() const { return first == end; }
+  };
+
+  constexpr void make_room() {
+    std::ptrdiff_t all = 0;
+    for (int s = 0; s < samples; ++s) {
+      queues_[static_cast<std::size_t>(s)] = {all, all};
+      all += std::ranges::count_if(rest_, [s](const Fragment& f) { return (f.mask & bit_of(s)) != 0; });
+    }
+    queues_[samples] = {all, all};
+    waiting_.resize(static_cast<std::size_t>(all + std::ranges::count(rest_, Mask{0}, &Fragment::mask)));
+  }
+  constexpr Waiting& last_place(std::size_t queue) {
+    return waiting_[static_cast<std::size_t>(queues_[queue].end++)];
+  }
+  constexpr void line_up(std::size_t i, Mask asked, auto&& depth) {
+    if (rest_[i].mask == 0) last_place(samples).number = i;
+    for (Mask left = rest_[i].mask; left != 0; left &= left - 1) {
+      const int s = last_of(left);
+      last_place(static_cast<std::size_t>(s)) = {i, (asked & bit_of(s)) != 0 ? depth(s) : Depth{}};
+    }
+  }
+  constexpr bool before(const Waiting& a, const Waiting& b) const {
+    const Fragment &f = rest_[a.number], &g = rest_[b.number];
+    return std::tie(a.depth, f.surface, f.source, a.number) <
+           std::tie(b.depth, g.surface, g.source, b.number);
+  }
+  /// Whose turn it is in a queue.
+  constexpr std::size_t foremost(const Queue& queue) const {
+    return waiting_[static_cast<std::size_t>(queue.first)].number;
+  }
+  constexpr void open_first(int sample) {
+    const Queue& queue = queues_[static_cast<std::size_t>(sample)];
+    if (!queue.empty()) open_[foremost(queue)] |= bit_of(sample);
+  }
+  constexpr std::size_t next() const {
+    const std::size_t none = rest_.size();
+    std::size_t whole = none, in_part = none;
+    for (const Queue& queue : queues_) {
+      if (queue.empty()) continue;
+      const std::size_t i = foremost(queue);
+      in_part = std::min(in_part, i);
+      if (open_[i] == rest_[i].mask) whole = std::min(whole, i);
+    }
+    return whole != none ? whole : in_part;
+  }
+
+  std::vector<Fragment> rest_;    ///< what is left of each
+  std::vector<Mask> open_;        ///< where each is foremost
+  std::vector<Waiting> waiting_;  ///< queue by queue
+  std::array<Queue, samples + 1> queues_{};
 };
 
-/// Leaves a list sorted by nearest depths with what has its place in front, and returns the others.
-constexpr Unplaced others(std::vector<Fragment>& sorted, auto& before) {
-  const std::span<const Fragment> all = sorted;
-  std::size_t placed = 0;
-  while (placed < all.size() && first_is_foremost(all.subspan(placed), before)) ++placed;
-  Unplaced rest{all.subspan(placed), before};
-  rest.given = all.size();
-  sorted.resize(placed);
-  return rest;
+/// How many of a sorted list overlap in depth with its first or with one that does.
+constexpr std::size_t overlapping(std::span<const Fragment> sorted) {
+  std::size_t count = 1;
+  for (double far = sorted[0].z_far; count < sorted.size() && sorted[count].z_near <= far; ++count)
+    far = std::max(far, sorted[count].z_far);
+  return count;
+}
+
+/// Appends the first n of what is left to a list, front to back at every sub-sample.
+template <class Depths>
+constexpr void append(std::vector<Fragment>& list, std::span<const Fragment> rest, std::size_t n,
+                      Depths& depths) {
+  const std::span<const Fragment> here = rest.first(n);
+  if (shared(here) == 0) {
+    list.insert(list.end(), here.begin(), here.end());
+    return;
+  }
+  Queues queues(here, depths);
+  while (!queues.empty()) list.push_back(queues.taken());
 }
 
 /// Brings a list sorted by nearest depths into one that goes front to back at every sub-sample. Surfaces that
 /// cross in the pixel have no such order: of these a fragment is parted where they do, the nearer part first.
-/// Steps: Ordered. Cost: at most the square of as many as there are in the end.
-template <class Before, Observer<Ordered> O = Unobserved>
-constexpr void put_in_order(std::vector<Fragment>& list, Before& before, O&& observer = {}) {
-  // The foremost keep their places
-  auto rest = others(list, before);
-  // Then what none left lies before
-  rest.append_to(list, before);
-  if constexpr (observed<O>) observer(Ordered{list, list.size() - rest.given});
+/// Steps: Ordered. Returns how many parts more there are. Cost: 32 times that of sorting, and as much a part.
+template <class Depths, Observer<Ordered> O = Unobserved>
+constexpr std::size_t put_in_order(std::vector<Fragment>& list, Depths& depths, O&& observer = {}) {
+  std::vector<Fragment> given;
+  given.swap(list);
+  std::span rest(given);
+  while (!rest.empty()) {
+    // As many as overlap in depth
+    const auto n = overlapping(rest);
+    append(list, rest, n, depths);
+    rest = rest.subspan(n);
+  }
+  const auto more = list.size() - given.size();
+  if constexpr (observed<O>) observer(Ordered{list, more});
+  return more;
 }
 
 // --- Light -------------------------------------------------------
@@ -393,28 +443,28 @@ constexpr Mask opaque_part(const Fragment& f) { return f.opacity == 1 ? f.mask :
 /// which share of the front one is seen (see by_ranges). Here each sub-sample says who is in front.
 ///
 /// list: the pixel's fragments in any order; in order and merged afterwards. take(Fragment, double weight) is
-///   called for each that is seen, front to back. before(Fragment a, Fragment b, Mask common) gives those of
-///   the common sub-samples at which a lies before b; it is asked where their depths overlap, and puts
-///   the fragments of each sub-sample into one order.
+///   called for each that is seen, front to back. depths(Fragment) gives what depth(int sample) gives the
+///   fragment's depth, between its nearest and its farthest; it is asked where these overlap others. Of equal
+///   depths the lower surface, then the lower source is in front.
 ///
 /// Domain: masks not 0 or 0, which are not seen; opacities from 0 to 1; z_near <= z_far, finite.
 /// Steps: Sorted Ordered Merged (Masked Weighed)* Finished.
 /// Accuracy: weights of opaque fragments are popcount/32, exactly, by the order of each sub-sample; weights
 ///   and what is left add up to 1 within 1e-13, exactly where all are opaque.
-/// Cost: sorting, then an "and not" and a popcount for each fragment; before for each two that overlap, again
-///   for each part where they cross; at most 32 parts with opacity. Memory for parts, and 170 bytes a
-///   fragment where nearest depths are not the order.
+/// Cost: sorting, then an "and not" and a popcount for each fragment; of those that overlap in depth 32 lists
+///   are sorted, one a sub-sample: n log n for n fragments, however they cross. At most 32 parts with
+///   opacity. Memory for parts, and some 600 bytes a fragment that overlaps others.
 /// Errors: ContractViolation for opacities outside the domain.
 ///
 /// Returns the share that is covered; the rest shows the background.
-template <std::invocable<const Fragment&, double> Take, class Before = ByRange,
+template <std::invocable<const Fragment&, double> Take, class Depths = ByRange,
           Observer<Sorted, Ordered, Merged, Masked, Weighed, Finished> O = Unobserved>
-constexpr double resolve(std::vector<Fragment>& list, Take&& take, Before&& before = {}, O&& observer = {}) {
+constexpr double resolve(std::vector<Fragment>& list, Take&& take, Depths&& depths = {}, O&& observer = {}) {
   // By nearest depths
   std::ranges::sort(list, nearer);
   if constexpr (observed<O>) observer(Sorted{list});
   // Front to back at each sample
-  put_in_order(list, before, observer);
+  put_in_order(list, depths, observer);
   // What abuts on a surface is one
   merge(list);
   if constexpr (observed<O>) observer(Merged{list});

@@ -187,27 +187,16 @@ constexpr void leave_out_hidden(std::vector<Fragment>& list) {
 template <class Colour>
 using ValueOf = std::remove_cvref_t<std::invoke_result_t<Colour&, int, ivec2, const Weights&>>;
 
-/// Which of two triangles lies in front in a pixel: the depth of their planes at each sub-sample says so, and
-/// where it is equal the lower surface number is in front, then the lower triangle.
-class NearerAt {
- public:
-  NearerAt(std::span<const ScreenTriangle> triangles, ivec2 pixel) : triangles_(triangles), pixel_(pixel) {}
+/// The depths of a pixel's fragments at its sub-samples: those of the triangles that they are of.
+struct DepthsIn {
+  std::span<const ScreenTriangle> triangles;
+  ivec2 pixel;
 
-  Mask operator()(const Fragment& a, const Fragment& b, Mask common) const {
-    const Depth of_a(source_of(a, triangles_)), of_b(source_of(b, triangles_));
-    const bool first = std::tie(a.surface, a.source) < std::tie(b.surface, b.source);
-    Mask before = 0;
-    for (Mask asked = common; asked != 0; asked &= asked - 1) {
-      const ivec2 place = place_of(pixel_, last_of(asked));
-      const double at_a = of_a.at(place), at_b = of_b.at(place);
-      if (at_a < at_b || (at_a == at_b && first)) before |= asked & -asked;
-    }
-    return before;
+  constexpr auto operator()(const Fragment& f) const {
+    return [depth = Depth(triangles[static_cast<std::size_t>(f.source)]), p = pixel](int s) {
+      return depth.at(place_of(p, s));
+    };
   }
-
- private:
-  std::span<const ScreenTriangle> triangles_;
-  ivec2 pixel_;
 };
 
 /// Adds the fragments of all triangles.
@@ -256,7 +245,7 @@ Memory a_buffer(std::span<const ScreenTriangle> scene, const Window& window, Col
       sum += w * colour(t, p, at);
     };
     // Front to back
-    NearerAt z(scene, p);
+    DepthsIn z{scene, p};
     auto a = resolve(list, add, z);
     plot(p, sum, a);
   }

@@ -146,6 +146,15 @@ Sides<T> compare(const Fragment<T>& other, const Fragment<T>& mine) {
   return {std::move(halves.inside), std::move(halves.outside)};
 }
 
+/// A convex piece on the two sides of an edge of a convex outline.
+template <class T>
+Halves<T> split_at(const Outline<T>& piece, const Outline<T>& outline, std::size_t edge) {
+  const glm::vec<2, T>&a = outline[edge], &b = outline[edge + 1 < outline.size() ? edge + 1 : 0];
+  const T wide = a.x < b.x ? b.x - a.x : a.x - b.x, high = a.y < b.y ? b.y - a.y : a.y - b.y;
+  const auto within = [&](const glm::vec<2, T>& p) { return doubled_area(a, b, p); };
+  return split(piece, thinnest<T>() * (wide + high), within);
+}
+
 /// What of a convex piece lies outside a convex outline, as convex pieces: along each edge in turn the
 /// part outside is kept, the rest goes on. False, and nothing is kept, where they share no area.
 template <class T>
@@ -153,10 +162,7 @@ bool keep_outside(const Outline<T>& piece, const Outline<T>& taken, Pieces<T>& k
   const std::size_t before = kept.size();
   Outline<T> rest = piece;
   for (std::size_t i = 0; i < taken.size() && !rest.empty(); ++i) {
-    const glm::vec<2, T>&a = taken[i], &b = taken[i + 1 < taken.size() ? i + 1 : 0];
-    const T wide = a.x < b.x ? b.x - a.x : a.x - b.x, high = a.y < b.y ? b.y - a.y : a.y - b.y;
-    const auto within = [&](const glm::vec<2, T>& p) { return doubled_area(a, b, p); };
-    Halves<T> halves = split(rest, thinnest<T>() * (wide + high), within);
+    Halves<T> halves = split_at(rest, taken, i);
     if (!halves.outside.empty()) kept.push_back(std::move(halves.outside));
     rest = std::move(halves.inside);
   }

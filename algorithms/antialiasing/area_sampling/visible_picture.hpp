@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "antialiasing/area_sampling/front_to_back.hpp"
 #include "antialiasing/area_sampling/pixel_polygon.hpp"
 #include "antialiasing/area_sampling/visible_areas.hpp"
 #include "core/contract.hpp"
@@ -241,6 +242,11 @@ struct Mean {
   Value sum{};
   double covered = 0;
 
+  void cuts(std::size_t pieces)
+    requires requires { colour.cuts(pieces); }
+  {
+    colour.cuts(pieces);
+  }
   void operator()(const Fragment<double>& f, const Pieces<double>& pieces, double area) {
     const Edges edges = edges_of(triangles[static_cast<std::size_t>(f.key)].corners);
     const dvec2 place = (dvec2(pixel) + centroid_of(pieces)) * double{subpixels};
@@ -256,14 +262,14 @@ struct Mean {
 /// triangles: snapped corners and depths, smaller is nearer; all of them are drawn, whichever way round they
 ///   run. window: the pixels that are asked for. colour(int triangle, ivec2 pixel, const Weights& at) gives
 ///   the colour of what is seen of a triangle in a pixel, once for each, at the grid place nearest to its
-///   centre of mass. plot(ivec2 pixel, const Value& sum, double covered) is called for every pixel in which
-///   something is seen, row by row: the sum of area times colour, and of areas; what is missing to 1 is the
-///   background's.
+///   centre of mass; if it has cuts(std::size_t), it is told of the work as in areas_front_to_back.
+///   plot(ivec2 pixel, const Value& sum, double covered) is called for every pixel in which something is
+///   seen, row by row: the sum of area times colour, and of areas; what is missing to 1 is the background's.
 ///
 /// Domain: corners at most `farthest` pixels from 0, and so is the window; finite depths. Values have +,
 ///   are multiplied by double from the left, and Value{} is 0. Triangles without an area show nothing.
 /// Accuracy: as visible_areas in double; a pixel of which one triangle is seen alone has area 1 exactly.
-/// Cost: for each pixel those triangles that touch it, all pairs of them where nothing covers it.
+/// Cost: for each pixel those triangles that touch it, and what areas_front_to_back takes.
 /// Errors: ContractViolation for corners or windows that lie too far out.
 template <class Colour, class Plot>
   requires std::invocable<Colour&, int, ivec2, const Weights&>
@@ -282,7 +288,7 @@ void visible_areas(std::span<const ScreenTriangle> triangles, const Window& wind
       auto here = row.fragments(x);
       // What of it is seen, area by area
       Mean<Colour> mean{triangles, colour, {x, y}};
-      visible_areas(here, mean);
+      areas_front_to_back(here, mean);
       if (mean.covered == 0) continue;
       plot(ivec2{x, y}, mean.sum, mean.covered);
     }

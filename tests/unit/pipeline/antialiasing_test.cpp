@@ -180,6 +180,35 @@ TEST(ChainAntialiasing, RefusesNumbersOfSamples) {
   EXPECT_THROW(antialiased(scene, {8, 6}), ContractViolation);
 }
 
+/// Up to a limit that is nearly reached when they begin: whole models take seconds to reach it.
+TEST(ChainAntialiasing, AreasThatWouldTakeTooLongNameTheWayOut) {
+  constexpr Size size{60, 40};
+  const Scene scene = shipped("letter_f.obj", size);
+  const Window window = picture_window(size);
+  const auto world = to_world(scene, input(scene));
+  const auto seen = to_clip(scene.camera, 1.5, world);
+  const Triangles triangles = clip(world, remove_back_faces(scene, seen), size);
+  const auto screen = screen_triangles(triangles, size);
+  FragmentColour colour(scene, triangles, size);
+  const auto draw = [&](CuttingLimit limit) {
+    area_sampling::visible_areas(screen, window, LimitedColour{colour, limit}, [](auto&&...) {});
+  };
+  CuttingLimit limit(screen.size(), window);
+  EXPECT_EQ(limit.left, 10'000'000 + 100 * 60 * 40);
+  EXPECT_NO_THROW(draw(limit));
+  limit.left = 300;
+  try {
+    draw(limit);
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_EQ(error.what(),
+              fmt::format("--aa area_sampling: expected triangles whose areas take at most 10000000 cuts and "
+                          "100 a pixel, found {} that take more; adaptive and a_buffer take samples, and "
+                          "draw any",
+                          screen.size()));
+  }
+}
+
 TEST(ChainAntialiasing, NothingInViewShowsTheBackground) {
   Scene scene = red_square(6, {20, 14});
   scene.camera.frame.eye = {0, 0, -50};

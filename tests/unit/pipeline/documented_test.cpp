@@ -52,6 +52,11 @@ TEST(DocumentedRendering, WhatAnOrderMayTake) {
   EXPECT_EQ(static_cast<double>(tree.limit.work), a_cut);
 }
 
+TEST(DocumentedRendering, WhatAreasMayTake) {
+  EXPECT_TRUE(states(rendering, "takes more than {} cuts of one piece by another, and {} a pixel",
+                     {CuttingLimit::most, CuttingLimit::more_a_pixel}));
+}
+
 /// How much work orders are of so many triangles with corners anywhere in a cube, which cross one another.
 std::vector<WorldPolygon> crossing(std::size_t count) {
   Random random(test::seed());

@@ -338,29 +338,16 @@ std::vector<Piece> pieces_of(const Arguments& given) {
   return pieces;
 }
 
-/// Who is in front, by the depths of the planes at each sub-sample.
-class Nearer {
- public:
-  explicit Nearer(const std::vector<Piece>& pieces) : pieces_(pieces) {}
+/// The depths of planes at the sub-samples.
+struct PlaneDepths {
+  const std::vector<Piece>& pieces;
 
-  Mask operator()(const Fragment& a, const Fragment& b, Mask common) const {
-    Mask before = 0;
-    for (int i = 0; i < samples; ++i) {
-      const double at_a = depth_of(a, i), at_b = depth_of(b, i);
-      if (at_a < at_b || (at_a == at_b && std::tie(a.surface, a.source) < std::tie(b.surface, b.source)))
-        before |= bit_of(i);
-    }
-    return before & common;
+  auto operator()(const Fragment& f) const {
+    return [&piece = pieces[static_cast<std::size_t>(f.source)]](int sample) {
+      const double across = (sample % mask_columns + 0.5) / mask_columns;
+      return piece.left + across * (piece.right - piece.left);
+    };
   }
-
- private:
-  double depth_of(const Fragment& f, int sample) const {
-    const Piece& piece = pieces_[static_cast<std::size_t>(f.source)];
-    const double across = (sample % mask_columns + 0.5) / mask_columns;
-    return piece.left + across * (piece.right - piece.left);
-  }
-
-  const std::vector<Piece>& pieces_;
 };
 
 template <class Run>
@@ -390,9 +377,10 @@ void tell_resolve(Narrator& narrator) {
   narrator.list("put_in_order");
   narrator.list_below("take");
   narrator.list_below("resolve");
-  tell_list(
-      narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"weight"}, {"left"}},
-      [](auto& list, const auto& watch, const auto& pieces) { resolve(list, drop, Nearer(pieces), watch); });
+  tell_list(narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"weight"}, {"left"}},
+            [](auto& list, const auto& watch, const auto& pieces) {
+              resolve(list, drop, PlaneDepths{pieces}, watch);
+            });
 }
 void tell_ranges(Narrator& narrator) {
   tell_list(narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"weight"}, {"left"}},
