@@ -407,6 +407,39 @@ def test_what_others_name_is_not_quoted():
               f"{name}: {result.err}")
 
 
+def test_foreign_files_that_models_name_are_not_quoted():
+    """A glTF file may name buffers anywhere, as an OBJ file its libraries; no number of what lies elsewhere is told."""
+    root, buffer = gltf_parts(box().cut())
+    index, far = 0x7365, struct.pack("<f", 7e37)  # "es", and what no position may be
+    foreign = {"index.bin": buffer + struct.pack("<3H", 0, 1, index), "far.bin": far + buffer[4:] + bytes(6), "short.bin": buffer[:-5]}
+    views = root["bufferViews"] + [{"buffer": 0, "byteOffset": len(buffer), "byteLength": 6}]
+    accessors = root["accessors"] + [{"bufferView": len(views) - 1, "componentType": 5123, "count": 3, "type": "SCALAR"}]
+    faces = [{"primitives": [{"attributes": root["meshes"][0]["primitives"][0]["attributes"], "indices": len(accessors) - 1}]}]
+    indexed = {"bufferViews": views, "accessors": accessors, "meshes": faces}
+    said = {"index.bin": ("expected indices of the 36 vertices, from 0, found", f" {index} at index 2", " another at index 2"),
+            "far.bin": ("expected", " 7.00", " something else"),
+            "short.bin": (f"expected a buffer of {len(buffer) + 6} bytes, found", f" one of {len(buffer) - 5}", " a shorter file")}
+    os.mkdir("here")
+    for name, data in foreign.items():
+        write(name, data)
+        write(f"here/{name}", data)
+    os.symlink("../index.bin", "here/linked.bin")
+    os.chdir("here")
+    for name, (expected, own, other) in said.items():
+        linked = ["linked.bin"] if name == "index.bin" else []
+        for uri, found in ((name, own), (f"../{name}", other), (f"..%2f{name}", other), (os.path.abspath(f"../{name}"), other),
+                           *((link, other) for link in linked)):
+            write("a.gltf", json.dumps(root | indexed | {"buffers": [{"byteLength": len(buffer) + 6, "uri": uri}]}, indent=1))
+            result = gradus("render", "a.gltf", *SMALL, "-o", "a.png")
+            check(result.code == 2 and f"{expected}" in result.err and f"{found}" in result.err and result.err.count("\n") == 1,
+                  f"{uri}: {result.err}")
+            check(found == own or own not in result.err, f"{uri} is quoted: {result.err}")
+    # One that is right is read from there
+    write("../right.bin", buffer)
+    write("a.gltf", json.dumps(root | {"buffers": [{"byteLength": len(buffer), "uri": "../right.bin"}]}))
+    equal(gradus("render", "a.gltf", *SMALL, "-o", "a.png").code, 0, "a buffer in another folder")
+
+
 def test_mutations():
     """Files with a few wrong bytes: a picture or a refusal, never a crash."""
     draw, model = random.Random(SEED), house().cut()

@@ -71,21 +71,24 @@ class DataCheck : GltfJson {
     return bytes;
   }
 
-  void take_buffer(const JsonNode& buffer) {
-    std::optional<std::string> bytes;
-    if (const auto* uri = buffer.member("uri")) {
-      bytes = data_in(uri->value);
-      for (const std::string& name : {uri->value.text, name_in_uri(uri->value.text)}) {
-        if (bytes || uri->value.text.starts_with("data:")) continue;
-        auto found = open_(name);
-        if (found && found->problem.empty()) bytes = std::move(found->text);
-      }
-    } else if (buffers_.empty() && binary_) {
-      bytes = *binary_;
+  /// The bytes of a buffer, where they are at hand.
+  std::optional<pipeline::LibraryText> bytes_of(const JsonNode& buffer) const {
+    const auto* const uri = buffer.member("uri");
+    if (!uri) return buffers_.empty() && binary_ ? std::optional(std::string(*binary_)) : std::nullopt;
+    if (auto data = data_in(uri->value)) return *std::move(data);
+    for (const std::string& name : {uri->value.text, name_in_uri(uri->value.text)}) {
+      auto found = open_(name);
+      if (found && found->problem.empty()) return found;
     }
+    return std::nullopt;
+  }
+
+  void take_buffer(const JsonNode& buffer) {
+    auto bytes = bytes_of(buffer);
     const std::size_t length = number_of(buffer, "byteLength", most_gltf_bytes);
-    if (bytes && bytes->size() < length)
-      refuse(buffer, fmt::format("a buffer of {} bytes", length), fmt::format("one of {}", bytes->size()));
+    if (bytes && bytes->text.size() < length)
+      refuse(buffer, fmt::format("a buffer of {} bytes", length),
+             bytes->quotable ? fmt::format("one of {}", bytes->text.size()) : "a shorter file");
     buffers_.push_back(std::move(bytes));
   }
 
@@ -204,10 +207,10 @@ class DataCheck : GltfJson {
     const std::size_t first =
         number_of(*view, "byteOffset", most_gltf_bytes) + number_of(indices, "byteOffset", most_gltf_bytes);
     for (std::size_t i = 0; i < count_of(indices); ++i) {
-      const std::uint64_t index = pipeline::whole_at(*buffer, first + i * stride, size);
+      const std::uint64_t index = pipeline::whole_at(buffer->text, first + i * stride, size);
       if (index >= vertices)
         refuse(indices, fmt::format("indices of the {} vertices, from 0", vertices),
-               fmt::format("{} at index {}", index, i));
+               fmt::format("{} at index {}", buffer->quotable ? fmt::format("{}", index) : "another", i));
     }
   }
 
@@ -223,7 +226,7 @@ class DataCheck : GltfJson {
   std::optional<std::string_view> binary_;
   const pipeline::FileReader& open_;
   std::size_t corners_ = 0;
-  std::vector<std::optional<std::string>> buffers_;  ///< the bytes of each, where they are at hand
+  std::vector<std::optional<pipeline::LibraryText>> buffers_;  ///< of each the bytes that are at hand
 };
 
 }  // namespace

@@ -78,6 +78,11 @@ class FilesBeside {
     return found->second->problem;
   }
 
+  /// Whether messages may show what stands in the files that were read.
+  bool quotable() const {
+    return std::ranges::all_of(beside_,
+                               [](const auto& file) { return !file.second || file.second->quotable; });
+  }
   /// The names of the files beside the model that were read.
   std::vector<std::string> asked() const { return asked_; }
 
@@ -178,11 +183,13 @@ pipeline::ModelFile read_by_assimp(std::string_view bytes, const pipeline::TextF
   // Neither is given back: this process ends
   const aiScene* const scene = assimp().aiImportFileExWithProperties(name.c_str(), 0, &calls, properties);
   asked = files.asked();
-  if (scene) return told_of(*scene, file, {.flat = gltf, .uris = gltf}, complaints.remark(file.quotable));
+  // What Assimp tells, and numbers of the scene, may come from any of the files
+  const pipeline::TextFile all{file.name, file.quotable && files.quotable()};
+  if (scene) return told_of(*scene, all, {.flat = gltf, .uris = gltf}, complaints.remark(all.quotable));
   std::string problem = files.problem(file.quotable);
   if (problem.empty()) {
     problem = no_model;
-    if (file.quotable) problem += fmt::format(" ({})", line_of(assimp().aiGetErrorString()));
+    if (all.quotable) problem += fmt::format(" ({})", line_of(assimp().aiGetErrorString()));
   }
   refuse_input(fmt::format("{}: {}", shown_name(file.name), problem));
 }
