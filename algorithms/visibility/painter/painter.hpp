@@ -144,7 +144,7 @@ Cut<T> cut_of(const List<T>& list, const Crossing& at, const View<T>& view) {
 /// Puts them back where they belong, and reports that.
 template <class T, class O>
 void put_back(List<T>& list, const View<T>& view, O& observer) {
-  const auto back = put_back(list, view);
+  const auto back = put_back<observed<O>>(list, view);
   if constexpr (observed<O>) observer(Inserted<T>{back});
 }
 

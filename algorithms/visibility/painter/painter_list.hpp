@@ -236,8 +236,9 @@ struct Place {
 };
 
 /// Puts the moved pieces, which are the last ones, back where they belong among those before them, one by
-/// one. Equal ones keep their order. Cost: a comparison and a move for each place that one is away.
-template <class T>
+/// one. Equal ones keep their order. Tells their places to who asks for a report. Cost: a comparison and a
+/// move for each place that one is away.
+template <bool reported = false, class T>
 std::vector<Place<T>> put_back(List<T>& list, const View<T>& view) {
   std::size_t next = list.size();
   while (next > 0 && list[next - 1].moved) --next;
@@ -246,7 +247,7 @@ std::vector<Place<T>> put_back(List<T>& list, const View<T>& view) {
     std::size_t place = next;
     while (place > 0 && belongs_before(list[next], list[place - 1], view)) --place;
     list[next].moved = false;
-    places.push_back({list[next].polygon, next - place});
+    if constexpr (reported) places.push_back({list[next].polygon, next - place});
     move_piece(list, next, place);
   }
   return places;

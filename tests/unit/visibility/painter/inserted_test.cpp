@@ -90,6 +90,28 @@ TEST(Painter, PartsAreInsertedWhereSortingWouldPutThem) {
   EXPECT_GT(several, 100);
 }
 
+TEST(Painter, PartsGoBackAlikeWhetherOrNotTheirPlacesAreAskedFor) {
+  const View<double> view = distant_view(dvec3{1, 2, 9}, dvec3{0, 1, 0});
+  for (std::uint64_t round = 0; round < 60; ++round) {
+    SCOPED_TRACE(testing::Message() << "seed " << test::seed() << ", round " << round);
+    Random random(test::seed(), round);
+    const Scene scene = random_scene(random, 12, 6);
+    auto list = pieces_of(scene, view);
+    const auto last = random.uniform_int(0, 6);
+    std::ranges::rotate(list, list.begin() + random.uniform_int(0, 11));
+    std::sort(list.begin(), list.end() - last,
+              [&](const auto& p, const auto& q) { return belongs_before(p, q, view); });
+    for (auto piece = list.end() - last; piece != list.end(); ++piece) piece->moved = true;
+    auto unasked = list;
+    EXPECT_EQ(std::ssize(put_back<true>(list, view)), last);
+    EXPECT_TRUE(put_back(unasked, view).empty());
+    const auto number = [](const auto& piece) { return piece.number; };
+    EXPECT_TRUE(std::ranges::equal(list, unasked, {}, number, number));
+    EXPECT_TRUE(std::ranges::is_sorted(
+        list, [&](const auto& p, const auto& q) { return belongs_before(p, q, view); }));
+  }
+}
+
 TEST(Painter, ACutDoesNotMoveTheWholeList) {
   // Beyond a thousand squares two cross: their parts stay beyond them
   Scene scene;
