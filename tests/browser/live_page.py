@@ -165,6 +165,7 @@ def drawn_in(figure):
 def every_topic(check, page):
     """All of them open, have their fields, and something to drag, to paint or to type; each drag leads to another run."""
     page.open()
+    bent = {}
     for topic in share_of(page.run('return workbench.topics.map(({name}) => name)'), 3):
         page.choose(topic=topic)
         check.equal(f'{topic}: nothing is refused', page.refusal(), '')
@@ -172,12 +173,27 @@ def every_topic(check, page):
         check.that(f'{topic}: there are fields', fields > 0)
         check.that(f'{topic}: it asks what comes next', questions > 0)
         check.equal(f'{topic}: handles lead where they are dragged', page.run(NUDGE, EVERYTHING), [])
-        check.equal(f'{topic}: a drag is counted from where it began', page.run(THERE_AND_BACK, EVERYTHING), [])
+        wrong, bent[topic] = page.run(THERE_AND_BACK, EVERYTHING)
+        check.equal(f'{topic}: a drag is counted from where it began', wrong, [])
+    check.that('some ways bend', {'viewing', 'illumination', 'back_face_culling'} <= {topic for topic in bent if bent[topic]}, bent)
     page.quiet('topics')
 
 
-# Of each argument the last handle, or with GRADUS_STRESS each one, goes by 30 pixels or a cell to the right and up, or the other way, and stands there or nearer then.
-NUDGE = '''return (async () => {
+# Whether no fit of a panel, across and down, takes one way to the other: the directions of what goes across, or down, differ.
+BENDS = '''const bends = (went, goes) => [0, 1].some((k) => {
+  const size = Math.hypot(...went.flat(), ...goes.flat());
+  const directions = [went, goes].map((ways) => {
+    const column = ways.map((way) => way[k]), length = Math.hypot(...column);
+    return column.map((value) => (length > 1e-6 * size ? value / length : 0));
+  });
+  return Math.hypot(...directions[0].map((value, i) => value - directions[1][i])) > 1e-5;
+});
+'''
+
+
+# Of each argument the last handle, or with GRADUS_STRESS each one, goes by 30 pixels or a cell to the right and up, or the other way, and stands there then, or nearer,
+# which is all that can be where its way bends.
+NUDGE = BENDS + '''return (async () => {
   const wrong = [], layer = workbench.handles;
   const one = new Map(layer.handles.map((handle) => [handle.name, handle]));
   for (const {key} of arguments[0] ? [...layer.handles] : [...one.values()]) {
@@ -189,17 +205,18 @@ NUDGE = '''return (async () => {
     for (const [px, py] of wholly ? [[cell, cell], [-cell, -cell]] : [[30, 20], [-30, -20]]) {
       const {at} = player.drawing, from = toPixels(at, handle().at.x, handle().at.y), text = workbench.textOf(workbench.parameter(handle().name));
       layer.take(handle());
-      const {along} = layer.drag;
+      const {along, went} = layer.drag;
       layer.dragTo(px, py);
       while (workbench.asking) await workbench.asking;
-      const found = handlesOf(player.run.trace).find((h) => h.key === key) ?? {at: {x: NaN, y: NaN}, name: key.split(" ")[0]};
+      const found = handlesOf(player.run.trace).find((h) => h.key === key) ?? {at: {x: NaN, y: NaN}, along: went, name: key.split(" ")[0]};
       const now = toPixels(player.drawing.at, found.at.x, found.at.y);
       const refused = !workbench.parts.refusal.hidden;
       layer.letGo();
       const changed = workbench.textOf(workbench.parameter(found.name)) !== text;
       const line = along.every(([x, y]) => Math.abs(x * along[0][1] - y * along[0][0]) < 1e-9 * (Math.hypot(x, y) + 1e-30));
       const off = Math.hypot(now[0] - from[0] - px, now[1] - from[1] - py);
-      tries.push([refused, changed, off, line || off < (wholly ? 0.6 * at.cell : 6)]);  // steps of up to 4 pixels for each number
+      const nearer = bends(went, found.along) && off < 0.9 * Math.hypot(px, py);
+      tries.push([refused, changed, off, line || nearer || off < (wholly ? 0.6 * at.cell : 6)]);  // steps of up to 4 pixels for each number
       workbench.state.given = JSON.parse(given);
       await workbench.refresh(false);
       if (!refused && changed && tries.at(-1)[3]) break;
@@ -212,9 +229,13 @@ NUDGE = '''return (async () => {
 
 # The same handles, by the events of a pointer: 90 pixels to the right and 50 up, jiggled by one pixel, and back. What a place of the
 # pointer means is told by the map that was seen when the drag began, whatever is drawn meanwhile; and before it is let go, its mark is
-# drawn where the change would have taken it in the drawing of the beginning, and its ring there.
-THERE_AND_BACK = """return (async () => {
-  const wrong = [], layer = workbench.handles;
+# drawn where the change would have taken it in the drawing of the beginning, and its ring there. Where its way bends, so that it can't
+# be, what is not dragged lies where it lay, and the ring is on the mark.
+THERE_AND_BACK = BENDS + """return (async () => {
+  const wrong = [], bent = [], layer = workbench.handles;
+  // Where the handles lie that move none of its numbers
+  const standing = (all, {name, numbers}) => new Map(all.filter((h) => h.name !== name || !h.numbers.some((n) => numbers.includes(n)))
+      .map((h) => [h.key, toPixels(player.drawing.at, h.at.x, h.at.y)]));
   const one = new Map(layer.handles.map((handle) => [handle.name, handle]));
   for (const {key, name} of arguments[0] ? [...layer.handles] : [...one.values()]) {
     const handle = layer.handles.find((h) => h.key === key);
@@ -222,7 +243,7 @@ THERE_AND_BACK = """return (async () => {
     const text = () => workbench.textOf(workbench.parameter(name)), given = () => JSON.stringify(workbench.state.given);
     const values = () => { const all = layer.numbers(name); return handle.numbers.map((i) => all[i].value); };
     const before = [text(), given()], start = values(), {button, along} = handle, {at} = player.drawing, {cell, yUp} = at;
-    const place = toPixels(at, handle.at.x, handle.at.y);
+    const place = toPixels(at, handle.at.x, handle.at.y), others = standing(layer.handles, handle), along0 = JSON.parse(JSON.stringify(along));
     const asked = [90 / cell, (yUp ? 50 : -50) / cell];
     const says = (type, x, y) => button.dispatchEvent(new PointerEvent(type, {pointerId: 1, button: 0, clientX: 300 + x, clientY: 300 + y, bubbles: true, cancelable: true}));
     const to = async (x, y) => {
@@ -241,7 +262,15 @@ THERE_AND_BACK = """return (async () => {
     const slack = (whole.whole ? 1.5 * Math.max(...along.map((way) => Math.hypot(...way))) : along.length * 5 / cell) + 1e-9;
     if (Math.hypot(...went) > Math.hypot(...asked) + slack) wrong.push([key, "ran away", asked, went]);
     const drawn = workbench.parts.refusal.hidden && handlesOf(player.run.trace).find((h) => h.key === key);  // not beyond its window
-    if (drawn) {
+    if (drawn && bends(along0, drawn.along)) {
+      bent.push(key);
+      const now = standing(handlesOf(player.run.trace), handle), lie = [...others.keys()].filter((other) => now.has(other));
+      const off = lie.map((other) => Math.hypot(...now.get(other).map((value, i) => value - others.get(other)[i])));
+      const paper = [player.drawing.at, at].map(({cell: size, box}) => [size, box.x, box.y]), moved = paper[0].some((value, i) => Math.abs(value - paper[1][i]) > 1e-3);
+      if (moved && !(Math.min(...off) < 0.5)) wrong.push([key, "the paper is moved, and nothing lies where it lay", paper, off]);
+      const mark = toPixels(player.drawing.at, drawn.at.x, drawn.at.y), ring = [parseFloat(button.style.left), parseFloat(button.style.top)];
+      if (!(Math.hypot(mark[0] - ring[0], mark[1] - ring[1]) <= 1.5)) wrong.push([key, "the ring lies beside the mark", mark, ring]);
+    } else if (drawn) {
       const hand = [place[0] + went[0] * cell, place[1] + (yUp ? -1 : 1) * went[1] * cell], mark = toPixels(player.drawing.at, drawn.at.x, drawn.at.y);
       const ring = [parseFloat(button.style.left), parseFloat(button.style.top)];
       for (const [what, [x, y]] of [["mark", mark], ["ring", ring]])
@@ -255,7 +284,7 @@ THERE_AND_BACK = """return (async () => {
     workbench.state.given = JSON.parse(before[1]);
     await workbench.refresh(false);
   }
-  return wrong;
+  return [wrong, bent];
 })()"""
 
 

@@ -69,6 +69,41 @@ def drags(check, page):
     check.equal('who hears is told where it is', page.run('return document.activeElement.getAttribute("aria-label")'), 'to: 8, 4')
     page.quiet('drag')
     drags_there_and_back(check, page)
+    drags_what_bends(check, page)
+
+
+# By how much the other mark goes while one is dragged, how far the ring lies beside its mark, and whether the value comes back
+BENT = '''return (async () => {
+  const [name, other, right, down] = arguments, layer = workbench.handles;
+  const placeOf = (wanted) => {
+    const {at: {x, y}} = handlesOf(player.run.trace).find((handle) => handle.name === wanted);
+    return toPixels(player.drawing.at, x, y);
+  };
+  const before = placeOf(other), text = workbench.textOf(workbench.parameter(name)), handle = layer.handles.find((one) => one.name === name);
+  layer.take(handle);
+  layer.dragTo(right, down);
+  while (workbench.asking) await workbench.asking;
+  const now = placeOf(other), mark = placeOf(name), ring = [handle.button.style.left, handle.button.style.top].map(parseFloat);
+  layer.dragTo(0, 0);
+  while (workbench.asking) await workbench.asking;
+  layer.letGo();
+  const apart = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
+  return [apart(before, now), apart(mark, ring), workbench.textOf(workbench.parameter(name)) === text];
+})()'''
+
+
+def drags_what_bends(check, page):
+    """Of a lamp, an eye or a hint for up the direction alone is drawn: what else there is lies still, also where the story fits its
+    panel anew to the hint, and back means back."""
+    for topic, name, other in (('illumination', 'lights', 'eye'), ('illumination', 'eye', 'lights'), ('viewing', 'up', 'eye'), ('viewing', 'up', 'target')):
+        # A lamp stays on its side of N: of one that goes to the other side all is mirrored
+        for right, down in ((60, 30), (-50, 100), (200, -200) if topic == 'viewing' else (-200, 200)):
+            page.open(f'#topic={topic}')
+            moved, beside, back = page.run(BENT, name, other, right, down)
+            what = f'{topic}, {name} by {right}, {down}'
+            check.that(f'{what}: {other} lies still', moved < 0.5, moved)
+            check.that(f'{what}: the ring is on the mark', beside < 0.5, beside)
+            check.that(f'{what}: back means back', back)
 
 
 def drags_there_and_back(check, page):

@@ -19,12 +19,19 @@ function changesFor(along, dx, dy) {
   return along.map(([x, y]) => (size > 0 ? (x * dx + y * dy) / size : 0));  // all along one direction
 }
 
-/** How many times as far a handle went as it goes now, where that is one number for all of its numbers; else 1. */
-function timesAsFar(went, goes) {
-  const pairs = went.flatMap((way, i) => way.map((value, k) => [value, goes[i][k]]));
+/** How many times as far a handle went as it goes now, of which each pair has both: one number for all of them, else NaN. */
+function timesOf(pairs) {
   const [most, now] = pairs.reduce((a, b) => (Math.abs(b[0]) > Math.abs(a[0]) ? b : a)), times = most / now;
   const one = pairs.every(([value, other]) => Math.abs(value - times * other) <= 1e-6 * Math.abs(most));
-  return times > 0 && Number.isFinite(times) && one ? times : 1;
+  return times > 0 && Number.isFinite(times) && one ? times : NaN;
+}
+/** The same for all numbers of a handle; 1 where its panel is fitted otherwise across than down. NaN: its way bends. */
+function timesAsFar(went, goes) {
+  const both = [0, 1].map((k) => went.map((way, i) => [way[k], goes[i][k]])), times = timesOf(both.flat());
+  if (times > 0) return times;
+  const least = 1e-6 * Math.max(...went.flat().map(Math.abs));
+  const isStraight = (pairs) => pairs.flat().every((value) => Math.abs(value) <= least) || timesOf(pairs) > 0;
+  return both.every(isStraight) ? 1 : NaN;
 }
 
 /** Of each number how far it goes as a part of what stays in the plane across the normal. */
@@ -121,7 +128,7 @@ class HandleLayer {
     const places = run.trace.grid.axes === false && this.player.index > 0 ? placesOf([...run.trace.backdrop, ...drawing.canvas.sortedMarks()]) : null;
     for (const handle of this.handles) {
       const {button} = handle, dragged = this.drag?.handle === handle;
-      const [x, y] = (dragged && this.drag.seen) || toPixels(at, handle.at.x, handle.at.y);  // it stays under the hand
+      const underHand = dragged && !this.drag.bends && this.drag.seen, [x, y] = underHand || toPixels(at, handle.at.x, handle.at.y);
       const inView = x >= 0 && y >= 0 && x <= at.width && y <= at.height;
       button.hidden = !dragged && (!inView || !(places?.has(placeText(handle.at.x, handle.at.y)) ?? true));
       button.style.left = `${x}px`;
@@ -149,14 +156,32 @@ class HandleLayer {
   take(handle) {
     const {drawing} = this.player;
     drawing.hold((at, run) => this.underHand(at, run));
-    const place = toPixels(drawing.at, handle.at.x, handle.at.y);
-    this.drag = {...this.standing(handle), handle, went: handle.along, at: drawing.at, place, moved: false};
+    const placeOf = ({at: {x, y}}) => toPixels(drawing.at, x, y);
+    const others = this.handles.filter((other) => other.name !== handle.name || !other.numbers.some((number) => handle.numbers.includes(number)));
+    this.drag = {
+      ...this.standing(handle), handle, went: handle.along, at: drawing.at, place: placeOf(handle), moved: false,
+      others: others.map((other) => ({key: other.key, went: other.along, place: placeOf(other)}))
+    };
   }
   /** A story may fit its panel anew to what is dragged in it: then the paper lies so that the mark is under the hand all the same, and
-      as large as it was. */
+      as large as it was. Where the mark's way bends, as that of a lamp does of which the direction alone is drawn, it is what is not
+      dragged that stays where it was. */
   underHand(at, {trace}) {
-    const {handle, went, seen} = this.drag ?? {}, now = seen && handlesOf(trace).find(({key}) => key === handle.key);
-    return now ? moved(at, toPixels(at, now.at.x, now.at.y), seen, timesAsFar(went, now.along)) : at;
+    const {drag} = this;
+    if (!drag?.seen) return at;
+    const all = handlesOf(trace), now = all.find(({key}) => key === drag.handle.key);
+    const times = now ? timesAsFar(drag.went, now.along) : 1;
+    drag.bends = Number.isNaN(times);
+    if (drag.bends) return this.asOthersLay(at, all);
+    return now ? moved(at, toPixels(at, now.at.x, now.at.y), drag.seen, times) : at;
+  }
+  /** The paper so that another mark lies where it lay and goes as far; as it is, where one goes as far as it did, or none is straight. */
+  asOthersLay(at, all) {
+    const laid = this.drag.others.flatMap(({key, went, place}) => {
+      const now = all.find((other) => other.key === key), times = now ? timesAsFar(went, now.along) : NaN;
+      return times > 0 ? [{times, paper: moved(at, toPixels(at, now.at.x, now.at.y), place, times)}] : [];
+    });
+    return laid.length === 0 || laid.some(({times}) => Math.abs(times - 1) < 1e-6) ? at : laid[0].paper;
   }
   move(event) {
     const {drag} = this;
