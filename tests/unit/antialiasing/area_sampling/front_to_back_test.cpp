@@ -68,7 +68,8 @@ TEST(AreasFrontToBack, AreThoseOfEachPairInRationals) {
     // Some before, some behind, some through it
     const Exact none(0), one(1), middle(1, 2);
     if (round % 4 == 0)
-      fragments.push_back({{{none, none}, {one, none}, {one, one}, {none, one}}, {middle, none, none}, count});
+      fragments.push_back(
+          {{{none, none}, {one, none}, {one, one}, {none, one}}, {middle, none, none}, count});
     const auto told = told_front_to_back(fragments);
     ASSERT_EQ(told, told_by_pairs(fragments)) << "seed " << test::seed() << ", round " << round;
     seen += told.size();
