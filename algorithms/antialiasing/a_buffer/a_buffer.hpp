@@ -244,12 +244,6 @@ class Queues {
     }
     for (int sample = 0; sample < samples; ++sample) open_first(sample);
   }
-  /// Moves all to a list, each when no other that is left lies before it.
-  constexpr void append_to(std::vector<Fragment>& order, auto& before) {
-    while (!list.empty()) order.push_back(taken(before));
-  }
-
- private:
   /// Takes the first off that no other lies before at any sub-sample. Where there is none, for surfaces
   /// cross, it is the part of the first that is open in part.
   constexpr Fragment taken() {
@@ -351,21 +345,19 @@ constexpr void append(std::vector<Fragment>& list, std::span<const Fragment> res
 
 /// Brings a list sorted by nearest depths into one that goes front to back at every sub-sample. Surfaces that
 /// cross in the pixel have no such order: of these a fragment is parted where they do, the nearer part first.
-/// Steps: Ordered. Returns how many parts more there are. Cost: 32 times that of sorting, and as much a part.
+/// Steps: Ordered. Cost: 32 times that of sorting, and as much a part.
 template <class Depths, Observer<Ordered> O = Unobserved>
-constexpr std::size_t put_in_order(std::vector<Fragment>& list, Depths& depths, O&& observer = {}) {
+constexpr void put_in_order(std::vector<Fragment>& list, Depths& depths, O&& observer = {}) {
   std::vector<Fragment> given;
   given.swap(list);
   std::span rest(given);
   while (!rest.empty()) {
     // As many as overlap in depth
-    const auto n = overlapping(rest);
+    auto n = overlapping(rest);
     append(list, rest, n, depths);
     rest = rest.subspan(n);
   }
-  const auto more = list.size() - given.size();
-  if constexpr (observed<O>) observer(Ordered{list, more});
-  return more;
+  if constexpr (observed<O>) observer(Ordered{list, list.size() - given.size()});
 }
 
 // --- Light -------------------------------------------------------
