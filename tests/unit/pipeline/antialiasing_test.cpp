@@ -187,7 +187,7 @@ TEST(ChainAntialiasing, AreasThatWouldTakeTooLongNameTheWayOut) {
   const Window window = picture_window(size);
   const auto world = to_world(scene, input(scene));
   const auto seen = to_clip(scene.camera, 1.5, world);
-  const Triangles triangles = clip(world, remove_back_faces(scene, seen), size);
+  const Triangles triangles = clip(world, cull(scene, seen), size);
   const auto screen = screen_triangles(triangles, size);
   FragmentColour colour(scene, triangles, size);
   const auto draw = [&](CuttingLimit limit) {
