@@ -16,9 +16,6 @@ extern "C" {
 [[gnu::flatten]] void machine_code_draw(const Window& window, const Kernel<double>& kernel) {
   draw(window, kernel, grey_at, set_pixel);
 }
-[[gnu::flatten]] void machine_code_supersample(const Window& window, int n, Filter filter) {
-  supersample(window, n, filter, grey_at, set_pixel);
-}
 [[gnu::flatten]] void machine_code_large_picture(const Window& window, int n, Filter filter) {
   large_picture(window, n, filter, grey_at, set_pixel);
 }
