@@ -15,10 +15,6 @@ extern "C" {
                                                   const gradus::Window& box) {
   sampling::clip_to_pixels(corners, box, set_pixel);
 }
-[[gnu::flatten]] void machine_code_pixel_areas(std::span<const gradus::ivec2> corners,
-                                               const gradus::Window& window) {
-  sampling::pixel_areas(corners, window, set_pixel);
-}
 [[gnu::flatten]] void machine_code_area_as_tone(std::span<const gradus::ivec2> corners,
                                                 const gradus::Window& window) {
   sampling::area_as_tone(corners, window, set_tone);
