@@ -7,6 +7,8 @@
 #include <deque>
 #include <vector>
 
+#include "core/language.hpp"
+
 namespace gradus::flood_fill {
 
 /// Last in, first out.
