@@ -20,6 +20,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/tally.hpp"
 
 namespace gradus::area_sampling {
 
@@ -62,27 +63,18 @@ inline void expect_places(std::span<const ivec2> corners, const Window& window) 
   expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
 }
 
-/// Hands steps on, and counts pixels for the last one.
-template <class O>
-struct Counting {
-  O& observer;
-  Finished pixels{0, 0};
+/// Counts pixels for the last step.
+struct Pixels {
+  std::int64_t clipped = 0, covered = 0;
 
-  template <class Step>
-  void operator()(const Step& step, int line = __builtin_LINE(), const char* file = __builtin_FILE()) {
-    if constexpr (requires { step.area; })
-      pixels.clipped += 1, pixels.covered += step.area > decltype(step.area){0};
-    tell(observer, step, line, file);
+  template <class T>
+  const AreaTaken<T>& operator()(const AreaTaken<T>& step) {
+    ++clipped;
+    covered += step.area > T{0};
+    return step;
   }
+  Finished operator()(Finished) const { return {clipped, covered}; }
 };
-/// Nobody watches, and nothing is counted.
-template <class O>
-auto counting(O& observer) {
-  if constexpr (observed<O>)
-    return Counting<O>{observer};
-  else
-    return Unobserved{};
-}
 
 /// The rows of a window, none where it is empty, and the columns in which a part of a polygon lies.
 inline auto from_to(int first, int last) { return std::views::iota(first, last < first ? first : last + 1); }
@@ -99,6 +91,7 @@ void clip_to_pixels(std::span<const ivec2> corners, const Window& box, Plot&& pl
   Polygon half;
   Polygon row;
   Polygon piece;
+  Tally<O, Pixels> tally(observer);
   if constexpr (observed<O>) observer(Started{{corners.begin(), corners.end()}, box});
   for (int y : rows(box)) {
     // What lies in this row
@@ -115,12 +108,12 @@ void clip_to_pixels(std::span<const ivec2> corners, const Window& box, Plot&& pl
       // How large that is
       const ivec2 p(x, y);
       T area = area_in<T>(piece, p);
-      if constexpr (observed<O>) observer(AreaTaken<T>{p, piece, area});
+      if constexpr (observed<O>) observer(tally.count(AreaTaken<T>{p, piece, area}));
       if (!(area > T{0})) continue;
       plot(p, area);
     }
   }
-  if constexpr (observed<O>) observer(Finished{observer.pixels});
+  if constexpr (observed<O>) observer(tally.count(Finished{0, 0}));
 }
 
 /// The area of a polygon in each pixel: the polygon is clipped to the pixel, and what is left is measured.
@@ -143,7 +136,7 @@ void clip_to_pixels(std::span<const ivec2> corners, const Window& box, Plot&& pl
 template <class T = double, class Plot, Observer<Started, BorderCut, AreaTaken<T>, Finished> O = Unobserved>
 void pixel_areas(std::span<const ivec2> corners, const Window& window, Plot&& plot, O&& observer = {}) {
   expect_places(corners, window);
-  clip_to_pixels<T>(corners, pixels_in(corners, window), plot, counting(observer));
+  clip_to_pixels<T>(corners, pixels_in(corners, window), plot, observer);
 }
 
 /// The byte of a pixel that is covered so far: floor(255 area + 1/2). Domain: 0 <= area <= 1 and a bit.

@@ -148,7 +148,7 @@ TEST(ErrataGallery, AFaultIsMarkedWhereItIsAndNotWhereItIsSeen) {
   EXPECT_THAT(culprit_of(exhibits_of("E001-01").at(0)), HasSubstr("p += 2 * dy - dx"));
   EXPECT_THAT(culprit_of(exhibits_of("E001-02").at(0)), HasSubstr("p += 2 * dy - 3 * dx"));
   EXPECT_THAT(culprit_of(exhibits_of("E001-05").at(0)), HasSubstr("p += 4 * x + 6"));
-  EXPECT_THAT(culprit_of(exhibits_of("E001-13").at(0)), HasSubstr("f.shift + f.pivot"));
+  EXPECT_THAT(culprit_of(exhibits_of("E001-13").at(0)), HasSubstr("g.shift + g.pivot"));
   EXPECT_THAT(culprit_of(exhibits_of("E001-56").at(0)), HasSubstr("sum / double(asked)"));
 }
 

@@ -124,7 +124,7 @@ TEST(MarkedLine, AnAliasIsFoundWithoutABranch) {
   const Trace trace = test::trace_of("sampling_theorem", {{"frequency", "9"}, {"rate", "10"}});
   const auto folded = std::ranges::find(trace.steps, "Folded", &TraceStep::type);
   ASSERT_NE(folded, trace.steps.end());
-  EXPECT_EQ(source_line(trace, folded->line), "const T alias = tie ? size(nearest) : nearest;");
+  EXPECT_EQ(source_line(trace, folded->line), "const T alias = tie ? size(r) : r;");
 }
 
 // --- Sutherland and Hodgman: test, then cut, then keep
