@@ -114,7 +114,7 @@ constexpr void wu(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
   int far = none;
   auto pair = [&](auto p, auto q) {
     plot(p, full - far);
-    if (far > none) plot(q, far);
+    if (far > 0) plot(p + q, far);
   };
   ivec2 front = from, back = to;
   Whole place = 0;
@@ -133,10 +133,10 @@ constexpr void wu(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
     // A middle column is one end's
     bool both = 2 * k != size.dx;
     if (both || go.tie) {
-      pair(front, front + aside);
+      pair(front, aside);
     }
     if (both || !go.tie) {
-      pair(back, back - aside);
+      pair(back, -aside);
     }
   }
   if constexpr (observed<O>) observer(Finished{size.dx + 1});
