@@ -13,7 +13,7 @@
 #include "support/change_mesh.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::antialiasing_test {
 namespace {
 
 using enum Antialiasing;
@@ -220,4 +220,4 @@ TEST(ChainAntialiasing, NothingInViewShowsTheBackground) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::antialiasing_test

@@ -17,7 +17,7 @@
 #include "scene/scene_file.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::camera_path_test {
 namespace {
 
 using enum Interpolation;
@@ -274,4 +274,4 @@ TEST(CameraPath, MistakesAreBlamedOnTheirLineAndKey) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::camera_path_test

@@ -18,7 +18,7 @@
 #include "support/seed.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::chain_test {
 namespace {
 
 using Record = Recorder<VertexRead, FaceRead, Placed, Turned, Projected, Faced, Clipped, Snapped, Covered,
@@ -484,4 +484,4 @@ TEST(ChainNotes, ExpandedEdgesLoseAndDoublePixels) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::chain_test

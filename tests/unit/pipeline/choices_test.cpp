@@ -22,7 +22,7 @@
 #include "support/seed.hpp"
 #include "why/why_text.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::choices_test {
 namespace {
 
 Mesh model(const std::string& text) {
@@ -488,4 +488,4 @@ TEST(Choices, EveryCombinationDraws) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::choices_test

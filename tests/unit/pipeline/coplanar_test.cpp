@@ -22,7 +22,7 @@
 #include "why/why.hpp"
 #include "why/why_text.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::coplanar_test {
 namespace {
 
 constexpr Size size{28, 21};
@@ -225,4 +225,4 @@ TEST(Coplanar, WhySaysWhichOfTwoAsDeepIsSeen) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::coplanar_test

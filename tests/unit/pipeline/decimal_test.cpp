@@ -12,7 +12,7 @@
 #include "core/random.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::decimal_test {
 namespace {
 
 using Reader = decltype(read_decimal);
@@ -129,4 +129,4 @@ TEST(Decimal, RandomNumbers) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::decimal_test

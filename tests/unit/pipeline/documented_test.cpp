@@ -19,7 +19,7 @@
 #include "support/seed.hpp"
 #include "support/stress.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::documented_test {
 namespace {
 
 using test::states;
@@ -134,4 +134,4 @@ TEST(DocumentedEngine, WhatSinglePrecisionIsAsked) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::documented_test

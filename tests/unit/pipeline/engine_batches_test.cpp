@@ -37,7 +37,7 @@
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline::engine {
+namespace gradus::pipeline::engine::engine_batches_test {
 namespace {
 
 /// So many scenes; a third of them under a sanitizer.
@@ -452,4 +452,4 @@ TEST(EngineBatches, MakeTheSamePictureOnEveryMachine) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline::engine
+}  // namespace gradus::pipeline::engine::engine_batches_test

@@ -23,7 +23,7 @@
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::engine_test {
 namespace {
 
 constexpr Size size{160, 120};
@@ -229,4 +229,4 @@ TEST(Engine, ObjectsOfOneMeshShareItsPieces) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::engine_test

@@ -25,7 +25,7 @@
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline::engine {
+namespace gradus::pipeline::engine::engine_ties_test {
 namespace {
 
 constexpr Size size{150, 100};
@@ -320,4 +320,4 @@ TEST(EngineTies, ADecalHasSamplesLookedAtWhereItHasThemLiftedOff) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline::engine
+}  // namespace gradus::pipeline::engine::engine_ties_test

@@ -15,7 +15,7 @@
 #include "support/change_mesh.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::framing_test {
 namespace {
 
 /// Where a camera puts a point: x and y in [-1, 1], depth in [0, 1].
@@ -117,4 +117,4 @@ TEST(Framing, LightsShineFromTheViewersSide) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::framing_test

@@ -11,7 +11,7 @@
 
 #include "support/obj_text.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::materials_test {
 namespace {
 
 using testing::ElementsAre;
@@ -96,4 +96,4 @@ TEST(Obj, ColoursOfVerticesAreToldOnce) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::materials_test

@@ -8,7 +8,7 @@
 
 #include "core/refusal.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::model_formats_test {
 namespace {
 
 const FileReader nothing = [](const std::string&) -> std::optional<LibraryText> { return std::nullopt; };
@@ -40,4 +40,4 @@ TEST(ModelFormats, WithoutAnImporterOthersAreRefused) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::model_formats_test

@@ -15,7 +15,7 @@
 #include "core/refusal.hpp"
 #include "scene/model_formats.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::model_readers_test {
 namespace {
 
 using testing::ElementsAre;
@@ -427,4 +427,4 @@ TEST(Ply, HeadersThatAreNone) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::model_readers_test

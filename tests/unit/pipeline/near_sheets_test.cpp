@@ -15,7 +15,7 @@
 #include "why/why.hpp"
 #include "why/why_text.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::near_sheets_test {
 namespace {
 
 constexpr Size size{60, 45};
@@ -138,4 +138,4 @@ TEST(NearSheets, WhyTellsWhatThePictureShows) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::near_sheets_test

@@ -23,7 +23,7 @@
 #include "scene/materials.hpp"
 #include "support/obj_text.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::obj_conformance_test {
 namespace {
 
 // --- What is forgiven ----------------------------------------------------------------------------
@@ -266,4 +266,4 @@ TEST(ObjConformance, EveryModelIsReadWithItsCountsOrRefusedWithAReason) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::obj_conformance_test

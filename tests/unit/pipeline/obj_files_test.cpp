@@ -16,7 +16,7 @@
 #include "scene/materials.hpp"
 #include "support/obj_text.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::obj_files_test {
 namespace {
 
 // --- What a model may name -----------------------------------------------------------------------
@@ -201,4 +201,4 @@ TEST(Obj, MessagesSpellOutWhatATerminalWouldActOn) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::obj_files_test

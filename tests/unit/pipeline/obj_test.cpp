@@ -13,7 +13,7 @@
 #include "scene/obj_notes.hpp"
 #include "support/obj_text.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::obj_test {
 namespace {
 
 TEST(Obj, AllFourIndexForms) {
@@ -297,4 +297,4 @@ TEST(ObjNotes, EndsAtTheFirstFailure) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::obj_test

@@ -14,7 +14,7 @@
 #include "support/random_scenes.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::opacity_test {
 namespace {
 
 const LinearRgb red{1, 0, 0}, green{0, 1, 0}, ground{0, 0, 1};
@@ -147,4 +147,4 @@ TEST(Opacity, ScenesTellIt) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::opacity_test

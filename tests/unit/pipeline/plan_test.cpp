@@ -17,7 +17,7 @@
 #include "support/random_scenes.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::plan_test {
 namespace {
 
 constexpr Size size{64, 64};
@@ -230,4 +230,4 @@ TEST(Plan, SparesWhatIsBehindAndTurnedAway) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::plan_test

@@ -18,7 +18,7 @@
 #include "support/random_scenes.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::portfolio_test {
 namespace {
 
 constexpr Size size{64, 48};
@@ -253,4 +253,4 @@ TEST(Portfolio, AClickMeetsThePlaneItShows) {  // R002-051, R002-052: G002-13, G
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::portfolio_test

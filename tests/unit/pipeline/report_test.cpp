@@ -22,7 +22,7 @@
 #include "shading/texture_mapping/texture_mapping_notes.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::report_test {
 namespace {
 
 using Rows = std::array<std::array<double, 4>, 4>;
@@ -258,4 +258,4 @@ TEST(Report, RenderObjectCarriesTheDepthOfEachVertex) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::report_test

@@ -12,7 +12,7 @@
 #include "scene/files.hpp"
 #include "stages/3_perspective.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::road_demo_test {
 namespace {
 
 using LongVec = glm::vec<3, long double>;
@@ -264,4 +264,4 @@ TEST(RoadDemo, MistakesAreNamed) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::road_demo_test

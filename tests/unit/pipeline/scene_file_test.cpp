@@ -19,7 +19,7 @@
 #include "support/seed.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::scene_file_test {
 namespace {
 
 using testing::ElementsAre;
@@ -333,4 +333,4 @@ TEST(SceneFile, ShippedScenesAreRead) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::scene_file_test

@@ -14,7 +14,7 @@
 #include "core/random.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::shared_planes_test {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -207,4 +207,4 @@ TEST(SharedPlanes, TrianglesWithoutAnAreaShareNone) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::shared_planes_test

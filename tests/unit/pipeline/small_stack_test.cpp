@@ -23,7 +23,7 @@
 #include "visibility/octree_order/octree_order.hpp"
 #include "visibility/painter/painter.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::small_stack_test {
 namespace {
 
 /// Sanitizers make every call larger.
@@ -153,4 +153,4 @@ TEST(SmallStack, WholePicturesAreDrawn) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::small_stack_test

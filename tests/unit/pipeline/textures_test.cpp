@@ -13,7 +13,7 @@
 #include "scene/framing.hpp"
 #include "scene/obj.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::textures_test {
 namespace {
 
 using Files = std::map<std::string, std::string>;
@@ -171,4 +171,4 @@ TEST(Textures, EachFileIsReadOnceAndCounted) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::textures_test

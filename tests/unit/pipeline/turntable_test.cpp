@@ -13,7 +13,7 @@
 #include "support/seed.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::turntable_test {
 namespace {
 
 std::vector<Object> random_objects(Random& random) {
@@ -103,4 +103,4 @@ TEST(Turntable, RefusesNumbersOfFramesOutOfRange) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::turntable_test

@@ -12,7 +12,7 @@
 #include "scene/camera_path.hpp"
 #include "scene/files.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::unchanged_test {
 namespace {
 
 TEST(Unchanged, ABitIsAChange) {
@@ -77,4 +77,4 @@ TEST(Unchanged, TheShippedFlightRestsAtTheTower) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::unchanged_test

@@ -9,7 +9,7 @@
 #include "core/contract.hpp"
 #include "projection/viewing/viewing.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::view_test {
 namespace {
 
 /// The unit cube's corners round (1, 2, 3), as a closed tetrahedron that touches all sides of its box.
@@ -133,4 +133,4 @@ TEST(View, APlacedObjectIsSeenWhereItStands) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::view_test

@@ -23,7 +23,7 @@
 #include "transformation/affine_3d/affine_3d.hpp"
 #include "why/why_text.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::why_test {
 namespace {
 
 constexpr Size size{40, 30};
@@ -274,4 +274,4 @@ TEST(Why, RefusesAPixelBesideThePicture) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::why_test
