@@ -223,14 +223,14 @@ def test_orders_of_what_crosses_everywhere():
 
 
 def test_a_stopped_run_of_figures_is_not_done_again():
-    write("many.json", lecture(4000))
+    write("many.json", lecture(1600))
     process = subprocess.Popen([GRADUS, "figures", "many.json", "-o", "out", "-q", "-j", "1"], env=PLAIN)
-    command.wait_for(lambda: os.path.exists("out/bresenham_line_600/bresenham_line_600.csv"))
-    time.sleep(1.5)
+    command.wait_for(lambda: os.path.exists("out/bresenham_line_300/bresenham_line_300.csv"))
+    time.sleep(0.5)
     process.kill()
     process.wait()
     drawn = int(re.search(r"(\d+) drawn", gradus("figures", "many.json", "-o", "out").err)[1])
-    check(0 < drawn < 4000, f"{drawn} of 4000 were left to do")
+    check(0 < drawn < 1600, f"{drawn} of 1600 were left to do")
 
 
 # --- Bars ------------------------------------------------------------------------------------------------------------

@@ -121,19 +121,32 @@ inline std::vector<Run> runs_of(const TopicEntry& entry) {
   return runs;
 }
 
-/// The traces of all topics' runs.
-/// only: of this topic alone. brief: under a sanitizer one in three, since golden/trace_hash runs them all
-/// there.
-inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::string_view only = {},
-                                         bool brief = sanitized) {
+/// A topic and one of its runs.
+struct TellingRun {
+  const TopicEntry* topic;
+  Run run;
+  Trace trace(const Wording& wording = {}) const {
+    return trace_of(topic->name, run.given, {run.first, run.most, wording});
+  }
+};
+
+/// All topics' runs; only: of this topic alone.
+inline std::vector<TellingRun> telling_runs(std::string_view only = {}) {
+  std::vector<TellingRun> runs;
+  for (const TopicEntry* topic : catalogue()) {
+    if (!only.empty() && topic->name != only) continue;
+    for (Run& run : runs_of(*topic)) runs.push_back({topic, std::move(run)});
+  }
+  return runs;
+}
+
+/// Their traces; under a sanitizer of all topics one in three, since golden/trace_hash runs them all there.
+inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::string_view only = {}) {
   std::vector<Trace> traces;
   int next = 0;
-  for (const TopicEntry* entry : catalogue()) {
-    if (!only.empty() && entry->name != only) continue;
-    for (const Run& run : runs_of(*entry)) {
-      if (sanitized && brief && only.empty() && next++ % 3 != 0) continue;
-      traces.push_back(trace_of(entry->name, run.given, {run.first, run.most, wording}));
-    }
+  for (const TellingRun& run : telling_runs(only)) {
+    if (sanitized && only.empty() && next++ % 3 != 0) continue;
+    traces.push_back(run.trace(wording));
   }
   return traces;
 }

@@ -86,7 +86,7 @@ void scanline(int faces, int window, int line, int store, int paint) {
 
 TEST(MarkedLine, StandsInTheFileThatToldTheStep) {
   int marked = 0;
-  for (const Trace& trace : test::telling_traces({}, {}, true)) {
+  for (const Trace& trace : test::telling_traces()) {
     for (const TraceStep& step : trace.steps) {
       if (step.line == 0) continue;
       const auto at = code_line(trace.listing, step.line);

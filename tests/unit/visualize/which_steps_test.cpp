@@ -42,7 +42,7 @@ std::vector<std::string> strong_lines(const Figure& figure) {
 
 /// Recorded once for both walks.
 const std::vector<Trace>& brief_traces() {
-  static const std::vector<Trace> traces = test::telling_traces({}, {}, true);
+  static const std::vector<Trace> traces = test::telling_traces();
   return traces;
 }
 
