@@ -23,10 +23,11 @@ function(gradus_embed output function root)
   set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # each numbers its texts
 endfunction()
 
-# A layer of the visualizer: the static library gradus_<name> from visualize/<name>/*.cpp and more sources.
+# A layer of the visualizer: the static library gradus_<name> from the .cpp files in visualize/<name>, in folders of it too, and more
+# sources.
 function(gradus_add_layer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;PRIVATE_LINK")
-  file(GLOB sources CONFIGURE_DEPENDS visualize/${name}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS visualize/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/(cli/(main|live_pages)|live/(module|runtime))\\.cpp$")  # programs of their own
   list(APPEND sources ${arg_SOURCES})
   if(sources)
@@ -55,6 +56,8 @@ function(gradus_add_layer name)
     target_include_directories(gradus_${name} INTERFACE visualize)
     target_link_libraries(gradus_${name} INTERFACE ${arg_LINK})
   endif()
-  file(GLOB headers RELATIVE ${PROJECT_SOURCE_DIR}/visualize CONFIGURE_DEPENDS visualize/${name}/*.hpp)
+  file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR}/visualize CONFIGURE_DEPENDS visualize/${name}/*.hpp)
+  # What is compiled with the one story that it belongs to, and what is a text for others
+  list(FILTER headers EXCLUDE REGEX "^(stories/[^/]+|source/parts)/")
   gradus_check_headers(headers_alone_${name} visualize "gradus_${name};${arg_PRIVATE_LINK}" ${headers})
 endfunction()

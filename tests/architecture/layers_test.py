@@ -42,11 +42,11 @@ PACKAGES = {
     "hwy/": ("algorithms/", "pipeline/engine/"),
     "tbb/": "pipeline/engine/",
     "cmark-gfm": "visualize/web/topic_page.cpp",
-    "archive": "visualize/cli/zip.cpp",
+    "archive": "visualize/cli/files/zip.cpp",
     "jpeglib.h": "visualize/cairo/jpeg.cpp",
     "jerror.h": "visualize/cairo/jpeg.cpp",
     "turbojpeg.h": "tests/",
-    "assimp/": "visualize/cli/imported_",
+    "assimp/": "visualize/cli/models/imported_",
     "tiny_obj_loader.h": "tests/",
 }
 ONE_FILE = ("zlib.h", "pango/", "CLI/", "boost/", "png.h", "cmark-gfm", "archive", "jpeglib.h")  # heavy or confined: a single .cpp
@@ -337,7 +337,7 @@ class Planted(unittest.TestCase):
         self.caught("cairo may not include stories")
 
     def test_the_command_includes_a_topic(self):
-        self.write("visualize/cli/run.cpp", '#include "lines/b_line/b_line.hpp"\n')
+        self.write("visualize/cli/commands/run.cpp", '#include "lines/b_line/b_line.hpp"\n')
         found = [v for rule in RULES for v in rule(self.root)]
         self.assertTrue(any("cli may not include lines/b_line" in v for v in found), found)
 
@@ -373,7 +373,7 @@ class Planted(unittest.TestCase):
 
     def test_zip_library_in_a_page(self):
         self.append("visualize/stories/lines/a_line_story.cpp", "#include <archive_entry.h>\n")
-        self.caught("belongs into visualize/cli/zip.cpp")
+        self.caught("belongs into visualize/cli/files/zip.cpp")
 
     def test_command_line_library_in_a_test(self):
         self.append("tests/unit/lines/a_line_test.cpp", "#include <CLI/CLI.hpp>\n")

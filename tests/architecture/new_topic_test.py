@@ -34,10 +34,9 @@ PLACEHOLDERS = re.compile(r"new_family|new_topic\b(?!/)|NewTopic|New topic")
 def copy_project(folder):
     for path in map(pathlib.Path, COPIED):
         if (project.ROOT / path).is_dir():
-            shutil.copytree(project.ROOT / path, folder / path, ignore=shutil.ignore_patterns("corpus", "models", "__pycache__"))
+            shutil.copytree(project.ROOT / path, folder / path, ignore=shutil.ignore_patterns("corpus", "__pycache__"))
         elif (project.ROOT / path).exists():
             shutil.copy(project.ROOT / path, folder / path)
-    shutil.copytree(project.ROOT / "examples/models", folder / "examples/models", dirs_exist_ok=True)
 
 
 def state(root):

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/errors.hpp"
-#include "cli/figure_file.hpp"
-#include "cli/figure_spec.hpp"
-#include "cli/inputs.hpp"
+#include "cli/command_line/errors.hpp"
+#include "cli/command_line/inputs.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/figures/figure_file.hpp"
+#include "cli/figures/figure_spec.hpp"
 #include "core/image.hpp"
 #include "request/names.hpp"
 #include "support/fuzz_input.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "cli/errors.hpp"
-#include "cli/lecture.hpp"
+#include "cli/command_line/errors.hpp"
+#include "cli/lecture/lecture.hpp"
 #include "core/image.hpp"
 #include "support/fuzz_input.hpp"
 

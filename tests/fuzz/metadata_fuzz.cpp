@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "cairo/colophon_markup.hpp"
-#include "cli/commands.hpp"
-#include "cli/errors.hpp"
-#include "cli/figure_file.hpp"
+#include "cli/command_line/errors.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/figures/figure_file.hpp"
 #include "core/image.hpp"
 #include "request/names.hpp"
 #include "support/fuzz_input.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "cli/explain.hpp"
-#include "cli/render.hpp"
+#include "cli/commands/explain.hpp"
+#include "cli/commands/render.hpp"
 #include "core/refusal.hpp"
 #include "plan/planned.hpp"
 #include "support/fuzz_input.hpp"

@@ -6,13 +6,13 @@
 #include <chrono>
 #include <filesystem>
 
-#include "cli/commands.hpp"
-#include "cli/errors.hpp"
-#include "cli/figure_file.hpp"
-#include "cli/figure_spec.hpp"
-#include "cli/files.hpp"
-#include "cli/guarded.hpp"
-#include "cli/inputs.hpp"
+#include "cli/command_line/errors.hpp"
+#include "cli/command_line/guarded.hpp"
+#include "cli/command_line/inputs.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/figures/figure_file.hpp"
+#include "cli/figures/figure_spec.hpp"
+#include "cli/files/files.hpp"
 #include "request/names.hpp"
 #include "stories/point_text.hpp"
 #include "stress/attack.hpp"

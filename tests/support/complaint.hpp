@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "cli/errors.hpp"
+#include "cli/command_line/errors.hpp"
 
 namespace gradus::test {
 

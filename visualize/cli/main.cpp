@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "cli/commands.hpp"
-#include "cli/complete.hpp"
-#include "cli/files.hpp"
-#include "cli/guarded.hpp"
-#include "cli/progress.hpp"
+#include "cli/command_line/guarded.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/completion/complete.hpp"
+#include "cli/files/files.hpp"
+#include "cli/terminal/progress.hpp"
 
 namespace gradus::cli {
 namespace {

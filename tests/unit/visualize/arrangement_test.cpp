@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "cli/lecture.hpp"
+#include "cli/lecture/lecture.hpp"
 #include "figure/layout.hpp"
 #include "figure/which_steps.hpp"
 #include "support/sanitized.hpp"

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <random>
 
-#include "cli/figure_file.hpp"
-#include "cli/terminal.hpp"
+#include "cli/figures/figure_file.hpp"
+#include "cli/terminal/terminal.hpp"
 #include "request/names.hpp"
 #include "request/takes.hpp"
 #include "support/complaint.hpp"

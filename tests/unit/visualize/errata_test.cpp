@@ -8,7 +8,7 @@
 #include <set>
 #include <span>
 
-#include "cli/errata.hpp"
+#include "cli/commands/errata.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
 #include "stories/topic.hpp"

@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "cli/errors.hpp"
-#include "cli/figure_spec.hpp"
-#include "cli/inputs.hpp"
+#include "cli/command_line/errors.hpp"
+#include "cli/command_line/inputs.hpp"
+#include "cli/figures/figure_spec.hpp"
 #include "request/names.hpp"
 #include "request/takes.hpp"
 #include "support/complaint.hpp"

@@ -9,9 +9,9 @@
 #include <set>
 #include <sstream>
 
-#include "cli/errors.hpp"
-#include "cli/files.hpp"
-#include "cli/inputs.hpp"
+#include "cli/command_line/errors.hpp"
+#include "cli/command_line/inputs.hpp"
+#include "cli/files/files.hpp"
 #include "request/fingerprint.hpp"
 #include "request/names.hpp"
 #include "support/complaint.hpp"

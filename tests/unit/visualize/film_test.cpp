@@ -1,6 +1,6 @@
 // Films: whole, exact where the format allows it, and honest about what went wrong.
 
-#include "cli/film.hpp"
+#include "cli/film/film.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@
 
 #include "cairo/cairo_output.hpp"
 #include "cairo/colophon_markup.hpp"
-#include "cli/errors.hpp"
+#include "cli/command_line/errors.hpp"
 #include "figure/figure.hpp"
 #include "support/example_traces.hpp"
 #include "support/share.hpp"

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/film.hpp"
+#include "cli/film/film.hpp"
 #include "figure/figure.hpp"
 
 namespace gradus::cli {

@@ -1,7 +1,7 @@
 // Models by Assimp: what becomes of hierarchies, normals, texture coordinates and materials, and what is
 // refused.
 
-#include "cli/imported_model.hpp"
+#include "cli/models/imported_model.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/gltf_data.hpp"
+#include "cli/models/gltf_data.hpp"
 #include "core/refusal.hpp"
 
 namespace gradus::cli {

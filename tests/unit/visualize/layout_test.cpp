@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "cli/lecture.hpp"
+#include "cli/lecture/lecture.hpp"
 #include "figure/figure.hpp"
 #include "figure/layout.hpp"
 #include "support/aspects.hpp"

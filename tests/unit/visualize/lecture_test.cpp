@@ -1,7 +1,7 @@
 // Lectures: JSON that knows its lines, and what a lecture's keys become. The command that draws them is
 // tested by tests/golden/lecture_test.py.
 
-#include "cli/lecture.hpp"
+#include "cli/lecture/lecture.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <random>
 #include <set>
 
-#include "cli/errors.hpp"
+#include "cli/command_line/errors.hpp"
 #include "core/image.hpp"
 #include "request/names.hpp"
 #include "request/written_json.hpp"

@@ -10,7 +10,7 @@
 #include <regex>
 #include <set>
 
-#include "cli/notation_file.hpp"
+#include "cli/files/notation_file.hpp"
 #include "core/refusal.hpp"
 #include "figure/wording.hpp"
 #include "stories/notations.hpp"

@@ -1,6 +1,6 @@
 // Work in a process of its own: what it returns, and how it may end.
 
-#include "cli/own_process.hpp"
+#include "cli/system/own_process.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "cli/model_bytes.hpp"
+#include "cli/models/model_bytes.hpp"
 
 namespace gradus::cli {
 namespace {

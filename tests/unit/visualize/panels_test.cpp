@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "cli/compare.hpp"
-#include "cli/errors.hpp"
-#include "cli/figure_file.hpp"
-#include "cli/inputs.hpp"
-#include "cli/lecture.hpp"
-#include "cli/panel_sheets.hpp"
+#include "cli/command_line/errors.hpp"
+#include "cli/command_line/inputs.hpp"
+#include "cli/figures/compare.hpp"
+#include "cli/figures/figure_file.hpp"
+#include "cli/figures/panel_sheets.hpp"
+#include "cli/lecture/lecture.hpp"
 #include "figure/alignment.hpp"
 #include "figure/which_steps.hpp"
 #include "support/example_traces.hpp"

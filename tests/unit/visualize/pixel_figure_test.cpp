@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "cli/why.hpp"
+#include "cli/render/why.hpp"
 #include "core/contract.hpp"
 #include "figure/metrics.hpp"
 #include "pipeline.hpp"

@@ -1,4 +1,4 @@
-#include "cli/road_film.hpp"
+#include "cli/film/road_film.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "cli/film.hpp"
-#include "cli/frames_ahead.hpp"
+#include "cli/film/film.hpp"
+#include "cli/film/frames_ahead.hpp"
 
 namespace gradus::cli {
 namespace {

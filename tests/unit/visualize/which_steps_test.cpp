@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/figure_file.hpp"
-#include "cli/lecture.hpp"
+#include "cli/figures/figure_file.hpp"
+#include "cli/lecture/lecture.hpp"
 #include "figure/figure.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"

@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-#include "cli/lecture.hpp"
+#include "cli/lecture/lecture.hpp"
 #include "figure/layout.hpp"
 #include "figure/number_text.hpp"
 #include "support/example_traces.hpp"

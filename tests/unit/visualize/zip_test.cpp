@@ -1,4 +1,4 @@
-#include "cli/zip.hpp"
+#include "cli/files/zip.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cli/errors.hpp"
+#include "cli/command_line/errors.hpp"
 
 namespace gradus::cli {
 namespace {

@@ -1,9 +1,0 @@
-// In place of the importer, where gradus is built without Assimp.
-
-#include "cli/imported_model.hpp"
-
-namespace gradus::cli {
-
-pipeline::ModelImporter model_importer() { return {}; }
-
-}  // namespace gradus::cli
