@@ -34,12 +34,13 @@ def matching(*patterns):
 
 def units():
     """All that a page may need, in units: files that are compiled together."""
-    layers = [matching(f"visualize/{layer}/*.cpp") for layer in ("figure", "theme", "stories", "json", "request", "live")]
+    layers = [matching(f"visualize/{layer}/**/*.cpp") for layer in ("figure", "theme", "json", "request", "live")]
     headers = matching(*(f"algorithms/{topic.path}/*.hpp" for topic in project.topics()))
-    stories = [path for path in matching("visualize/stories/*/*.cpp") if path != ALONE]
-    return [matching("algorithms/core/**/*.cpp"), *filter(None, layers),
+    told = matching("visualize/stories/*.cpp")  # what stories share
+    stories = [path for path in matching("visualize/stories/*/**/*.cpp") if path != ALONE]
+    return [matching("algorithms/core/**/*.cpp"), *filter(None, layers), told,
             [path for path in headers if not path.endswith(("_batch.hpp", "-inl.hpp"))],
-            matching("pipeline/*/*.cpp", "pipeline/*.hpp", "pipeline/stages/*.hpp"), stories, [ALONE]]
+            matching("pipeline/*/**/*.cpp", "pipeline/*.hpp", "pipeline/stages/*.hpp"), stories, [ALONE]]
 
 
 def built(folder):
@@ -89,7 +90,7 @@ class NoExceptions(unittest.TestCase):
     def test_the_lists_hold_what_they_promise(self):
         files = sum(units(), [])
         self.assertEqual(len(files), len(set(files)))
-        for path in ("algorithms/core/arithmetic/exact_scalar.cpp", "visualize/figure/layout.cpp",
+        for path in ("algorithms/core/arithmetic/exact_scalar.cpp", "visualize/figure/layout/layout.cpp",
                      "visualize/stories/telling.cpp", "visualize/json/json.cpp", "visualize/request/inputs.cpp",
                      "visualize/live/protocol.cpp", "pipeline/scene/obj.cpp", "pipeline/pipeline.hpp"):
             self.assertIn(path, files)

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "figure/pseudocode.hpp"
+#include "figure/listing/pseudocode.hpp"
 #include "support/example_traces.hpp"
 
 namespace gradus {

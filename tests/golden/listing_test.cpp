@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "figure/figure.hpp"
-#include "figure/pseudocode.hpp"
+#include "figure/listing/pseudocode.hpp"
 #include "support/example_traces.hpp"
 
 namespace gradus {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "figure/figure.hpp"
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
 #include "support/share.hpp"

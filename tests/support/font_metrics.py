@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes visualize/figure/font_metrics.inc: the advance widths of the characters that figures use.
+"""Writes visualize/figure/text/font_metrics.inc: the advance widths of the characters that figures use.
 
 The layout needs the width of a text without asking a font library (it also runs where there is none).
     tests/support/font_metrics.py [--check] FONT_FOLDER
@@ -37,7 +37,7 @@ FACES = [(INTER + "Inter-Regular.otf", INTER + "Inter-Regular.otf", [], DEJAVU +
          (JETBRAINS + "JetBrainsMono-Bold.ttf", INTER + "Inter-Bold.otf", RAISED, DEJAVU + "DejaVuSansMono.ttf"),
          (INTER + "Inter-BoldItalic.otf", INTER + "Inter-Italic.otf", SPACES, DEJAVU + "DejaVuSans-Bold.ttf")]
 UNITS = 2048  # an em
-TARGET = pathlib.Path(__file__).resolve().parents[2] / "visualize/figure/font_metrics.inc"
+TARGET = pathlib.Path(__file__).resolve().parents[2] / "visualize/figure/text/font_metrics.inc"
 
 
 def tables(data):

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "figure/figure.hpp"
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 #include "support/example_traces.hpp"
 
 namespace gradus::test {

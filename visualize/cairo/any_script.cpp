@@ -12,7 +12,7 @@
 #include "cairo/cairo_output.hpp"
 #include "cairo/handles.hpp"
 #include "cairo/library_on_demand.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 namespace {

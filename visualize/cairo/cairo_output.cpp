@@ -16,7 +16,7 @@
 #include "cairo/metadata.hpp"
 #include "cairo/shapes.hpp"
 #include "core/image.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "cairo/handles.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 namespace {

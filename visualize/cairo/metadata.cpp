@@ -12,8 +12,8 @@
 
 #include "cairo/colophon_markup.hpp"
 #include "core/shown.hpp"
-#include "figure/markup.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/markup.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 namespace {

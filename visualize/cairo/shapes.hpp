@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "figure/metrics.hpp"
 #include "figure/sheet.hpp"
+#include "figure/text/metrics.hpp"
 #include "theme/theme.hpp"
 
 namespace gradus {

@@ -13,8 +13,8 @@
 #include "cairo/metadata.hpp"
 #include "cairo/shapes.hpp"
 #include "cairo/web_font.hpp"
-#include "figure/markup.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/markup.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 namespace {

@@ -15,8 +15,8 @@
 
 #include "cairo/deflated.hpp"
 #include "cairo/fonts.hpp"
-#include "figure/markup.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/markup.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 

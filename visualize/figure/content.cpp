@@ -3,7 +3,7 @@
 #include <map>
 #include <string_view>
 
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 #include "figure/trace.hpp"
 
 namespace gradus {

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "core/contract.hpp"
-#include "figure/layout.hpp"
-#include "figure/metrics.hpp"
+#include "figure/layout/layout.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 namespace {

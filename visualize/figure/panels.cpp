@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/contract.hpp"
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 
 namespace gradus {
 namespace {

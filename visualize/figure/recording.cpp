@@ -7,8 +7,8 @@
 #include <set>
 #include <span>
 
-#include "figure/metrics.hpp"
-#include "figure/typesetting.hpp"
+#include "figure/text/metrics.hpp"
+#include "figure/text/typesetting.hpp"
 
 namespace gradus {
 namespace {

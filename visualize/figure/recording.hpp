@@ -4,9 +4,9 @@
 #include <functional>
 #include <string>
 
-#include "figure/number_text.hpp"
+#include "figure/text/number_text.hpp"
+#include "figure/text/wording.hpp"
 #include "figure/trace.hpp"
-#include "figure/wording.hpp"
 
 namespace gradus {
 

@@ -14,7 +14,7 @@
 
 #include "figure/content.hpp"
 #include "figure/drawing.hpp"
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 
 namespace gradus {
 

@@ -8,10 +8,10 @@
 #include <optional>
 #include <unordered_map>
 
-#include "figure/markup.hpp"
-#include "figure/metrics.hpp"
 #include "figure/seen_cells.hpp"
-#include "figure/typesetting.hpp"
+#include "figure/text/markup.hpp"
+#include "figure/text/metrics.hpp"
+#include "figure/text/typesetting.hpp"
 #include "json/script_safe.hpp"
 
 namespace gradus {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/shown.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 

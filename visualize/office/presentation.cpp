@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
-#include "figure/markup.hpp"
+#include "figure/text/markup.hpp"
 #include "office/parts.hpp"
 #include "office/slide.hpp"
 

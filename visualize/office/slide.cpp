@@ -7,8 +7,8 @@
 #include <iterator>
 #include <optional>
 
-#include "figure/boxes.hpp"
-#include "figure/markup.hpp"
+#include "figure/layout/boxes.hpp"
+#include "figure/text/markup.hpp"
 
 namespace gradus {
 namespace {

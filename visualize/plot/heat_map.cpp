@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/contract.hpp"
-#include "figure/layout.hpp"
-#include "figure/metrics.hpp"
+#include "figure/layout/layout.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus::plot {
 namespace {

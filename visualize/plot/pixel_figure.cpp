@@ -8,8 +8,8 @@
 
 #include "core/colour.hpp"
 #include "core/contract.hpp"
-#include "figure/layout.hpp"
-#include "figure/metrics.hpp"
+#include "figure/layout/layout.hpp"
+#include "figure/text/metrics.hpp"
 #include "figure/tone_of.hpp"
 
 namespace gradus::plot {

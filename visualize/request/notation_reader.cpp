@@ -7,8 +7,8 @@
 #include <cmath>
 #include <functional>
 
-#include "figure/metrics.hpp"
-#include "figure/wording.hpp"
+#include "figure/text/metrics.hpp"
+#include "figure/text/wording.hpp"
 #include "request/complaint.hpp"
 #include "request/names.hpp"
 #include "request/words.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "figure/notation.hpp"
+#include "figure/text/notation.hpp"
 #include "request/written_json.hpp"
 
 namespace gradus {

@@ -8,7 +8,7 @@
 
 #include "figure/alignment.hpp"
 #include "figure/figure.hpp"
-#include "figure/pseudocode.hpp"
+#include "figure/listing/pseudocode.hpp"
 #include "figure/trace.hpp"
 #include "stories/topic.hpp"
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "figure/metrics.hpp"
-#include "figure/wording.hpp"
+#include "figure/text/metrics.hpp"
+#include "figure/text/wording.hpp"
 
 namespace gradus {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "figure/notation.hpp"
+#include "figure/text/notation.hpp"
 
 namespace gradus {
 

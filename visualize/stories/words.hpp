@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/geometry.hpp"
-#include "figure/number_text.hpp"
+#include "figure/text/number_text.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus {

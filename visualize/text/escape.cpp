@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 namespace {

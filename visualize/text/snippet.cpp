@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/shown.hpp"
-#include "figure/markup.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/markup.hpp"
+#include "figure/text/metrics.hpp"
 #include "text/escape.hpp"
 
 namespace gradus {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 

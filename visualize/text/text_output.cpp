@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "figure/metrics.hpp"
-#include "figure/number_text.hpp"
+#include "figure/text/metrics.hpp"
+#include "figure/text/number_text.hpp"
 #include "text/escape.hpp"
 #include "text/table.hpp"
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "figure/markup.hpp"
+#include "figure/text/markup.hpp"
 #include "web/topic_page.hpp"
 
 namespace gradus {

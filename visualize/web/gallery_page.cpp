@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "figure/colophon.hpp"
-#include "figure/markup.hpp"
+#include "figure/text/markup.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"
 #include "web/page_fonts.hpp"

@@ -7,7 +7,7 @@
 
 #include "cairo/deflated.hpp"
 #include "figure/colophon.hpp"
-#include "figure/markup.hpp"
+#include "figure/text/markup.hpp"
 #include "json/json.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"

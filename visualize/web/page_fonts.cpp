@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "cairo/web_font.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 

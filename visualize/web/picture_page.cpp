@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "figure/markup.hpp"
+#include "figure/text/markup.hpp"
 #include "json/json.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"

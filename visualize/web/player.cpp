@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "figure/markup.hpp"
+#include "figure/text/markup.hpp"
 #include "json/json.hpp"
 #include "theme/theme.hpp"
 #include "web/assets.hpp"

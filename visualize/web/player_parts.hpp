@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 
 namespace gradus {
 

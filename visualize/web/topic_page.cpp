@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "figure/markup.hpp"
+#include "figure/text/markup.hpp"
 #include "web/article.hpp"
 #include "web/formulas.hpp"
 #include "web/html.hpp"

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <set>
 
-#include "figure/metrics.hpp"
-#include "figure/number_text.hpp"
+#include "figure/text/metrics.hpp"
+#include "figure/text/number_text.hpp"
 
 namespace gradus::worksheet {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "text/escape.hpp"
 
 namespace gradus::worksheet {

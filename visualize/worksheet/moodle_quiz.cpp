@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus::worksheet {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "figure/figure.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus::worksheet {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "figure/figure.hpp"
-#include "figure/number_text.hpp"
+#include "figure/text/number_text.hpp"
 #include "figure/which_steps.hpp"
 #include "stories/topic.hpp"
 #include "support/claims.hpp"

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "cli/lecture/lecture.hpp"
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 #include "figure/which_steps.hpp"
 #include "support/sanitized.hpp"
 #include "support/share.hpp"

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "figure/figure.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
 #include "support/sheets.hpp"

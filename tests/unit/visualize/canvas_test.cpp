@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 #include "json/json.hpp"
 #include "stories/paper.hpp"
 #include "support/sheets.hpp"

@@ -12,7 +12,7 @@
 #include <regex>
 #include <sstream>
 
-#include "figure/pseudocode.hpp"
+#include "figure/listing/pseudocode.hpp"
 #include "json/json.hpp"
 #include "support/sheets.hpp"
 

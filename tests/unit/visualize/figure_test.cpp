@@ -1,7 +1,7 @@
 // What a figure says, in which colours, from which recording. Where things stand: layout_test.cpp.
 
 #include "figure/figure.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 namespace {

@@ -1,6 +1,6 @@
 // The catalogues of texts, a language each: read, complete, and nothing in them that nobody says.
 
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 
 #include <fmt/args.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus {

@@ -9,7 +9,7 @@
 
 #include "cli/lecture/lecture.hpp"
 #include "figure/figure.hpp"
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 #include "support/aspects.hpp"
 #include "support/sanitized.hpp"
 #include "support/share.hpp"

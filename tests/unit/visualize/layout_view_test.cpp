@@ -9,7 +9,7 @@
 #include <set>
 
 #include "figure/figure.hpp"
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 #include "support/aspects.hpp"
 #include "support/sheets.hpp"
 

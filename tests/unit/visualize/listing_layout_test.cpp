@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 #include "support/sanitized.hpp"
 #include "support/sheets.hpp"
 

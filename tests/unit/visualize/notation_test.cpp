@@ -1,6 +1,6 @@
 // What figures show in a notation is right there: told again from the code's numbers, by other means.
 
-#include "figure/notation.hpp"
+#include "figure/text/notation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "cli/files/notation_file.hpp"
 #include "core/refusal.hpp"
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 #include "stories/notations.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"

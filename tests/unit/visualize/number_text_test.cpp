@@ -1,6 +1,6 @@
 // Numbers in sentences: what a calculator says of them.
 
-#include "figure/number_text.hpp"
+#include "figure/text/number_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "stories/paper.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"

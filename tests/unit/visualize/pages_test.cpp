@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "figure/markup.hpp"
+#include "figure/text/markup.hpp"
 #include "web/gallery_page.hpp"
 #include "web/html.hpp"
 #include "web/topic_page.hpp"

@@ -4,7 +4,7 @@
 
 #include "cairo/cairo_output.hpp"
 #include "cairo/shapes.hpp"
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 #include "stories/paper.hpp"
 #include "support/sheets.hpp"
 

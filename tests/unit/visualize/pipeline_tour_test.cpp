@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "figure/figure.hpp"
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 #include "pipeline.hpp"
 #include "stories/pipeline/chain_paper.hpp"
 #include "stories/pipeline/chain_run.hpp"

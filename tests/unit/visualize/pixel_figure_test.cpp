@@ -13,7 +13,7 @@
 
 #include "cli/render/why.hpp"
 #include "core/contract.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "pipeline.hpp"
 #include "support/random_scenes.hpp"
 #include "support/seed.hpp"

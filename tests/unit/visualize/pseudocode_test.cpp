@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "figure/pseudocode.hpp"
+#include "figure/listing/pseudocode.hpp"
 
 namespace gradus {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "figure/markup.hpp"
+#include "figure/text/markup.hpp"
 #include "figure/which_steps.hpp"
 #include "stories/topic.hpp"
 #include "text/escape.hpp"

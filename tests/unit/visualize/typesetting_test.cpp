@@ -1,6 +1,6 @@
 // Variables in italics, quantities in their colours, in whole figures.
 
-#include "figure/typesetting.hpp"
+#include "figure/text/typesetting.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "figure/figure.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "support/example_traces.hpp"
 #include "support/sheets.hpp"
 #include "theme/theme.hpp"

@@ -13,7 +13,7 @@
 #include "cairo/cairo_output.hpp"
 #include "cairo/fonts.hpp"
 #include "figure/figure.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "support/example_traces.hpp"
 #include "web/player.hpp"
 

@@ -1,7 +1,7 @@
 // Languages say the same, labels stand wherever a symbol does and nowhere else, and nothing is drawn as a
 // box.
 
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <set>
 
 #include "cli/lecture/lecture.hpp"
-#include "figure/layout.hpp"
-#include "figure/number_text.hpp"
+#include "figure/layout/layout.hpp"
+#include "figure/text/number_text.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"

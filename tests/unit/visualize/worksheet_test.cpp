@@ -8,7 +8,7 @@
 #include <regex>
 #include <set>
 
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "support/example_traces.hpp"
 #include "support/sheets.hpp"
 #include "text/text_output.hpp"

@@ -1,7 +1,7 @@
 #include "cli/command_line/choices.hpp"
 
-#include "figure/layout.hpp"
-#include "figure/wording.hpp"
+#include "figure/layout/layout.hpp"
+#include "figure/text/wording.hpp"
 #include "theme/theme.hpp"
 
 namespace gradus::cli {

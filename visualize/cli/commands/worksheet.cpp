@@ -18,7 +18,7 @@
 #include "cli/lecture/lecture.hpp"
 #include "cli/terminal/progress.hpp"
 #include "core/shown.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "request/names.hpp"
 #include "stories/point_text.hpp"
 #include "worksheet/latex_document.hpp"

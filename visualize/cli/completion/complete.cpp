@@ -17,7 +17,7 @@
 #include "cli/film/road_film.hpp"
 #include "cli/models/imported_model.hpp"
 #include "figure/sheet.hpp"
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 #include "plan/rules.hpp"
 #include "request/inputs.hpp"
 #include "request/names.hpp"

@@ -14,7 +14,7 @@
 #include "cli/files/files.hpp"
 #include "cli/files/own_files.hpp"
 #include "cli/files/zip.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "figure/transition.hpp"
 #include "figure/which_steps.hpp"
 #include "json/json.hpp"

@@ -11,7 +11,7 @@
 #include "cli/command_line/inputs.hpp"
 #include "cli/figures/figure_size.hpp"
 #include "cli/files/notation_file.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "request/names.hpp"
 #include "request/words.hpp"
 #include "stories/point_text.hpp"

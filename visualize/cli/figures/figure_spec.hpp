@@ -11,7 +11,7 @@
 #include "cli/film/film.hpp"
 #include "figure/figure.hpp"
 #include "figure/handout.hpp"
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 #include "request/takes.hpp"
 #include "theme/finish.hpp"
 

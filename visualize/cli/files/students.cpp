@@ -6,7 +6,7 @@
 
 #include "cli/command_line/errors.hpp"
 #include "core/shown.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "request/names.hpp"
 #include "stories/point_text.hpp"
 

@@ -11,7 +11,7 @@
 #include "cli/files/notation_file.hpp"
 #include "cli/lecture/lecture_problem.hpp"
 #include "cli/lecture/lecture_values.hpp"
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 #include "request/names.hpp"
 #include "stories/point_text.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "figure/metrics.hpp"
-#include "figure/number_text.hpp"
+#include "figure/text/metrics.hpp"
+#include "figure/text/number_text.hpp"
 
 namespace gradus::textbook_chain {
 namespace {

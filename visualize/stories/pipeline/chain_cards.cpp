@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "figure/number_text.hpp"
+#include "figure/text/number_text.hpp"
 #include "stories/pipeline/chain_coordinates.hpp"
 
 namespace gradus::textbook_chain {

@@ -13,7 +13,7 @@
 
 #include "core/arithmetic/elementary.hpp"
 #include "core/geometry.hpp"
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 #include "stories/space_drawing.hpp"
 #include "stories/topic.hpp"
 

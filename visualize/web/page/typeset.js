@@ -1,5 +1,5 @@
 'use strict';
-// Letters by what they stand for, as visualize/figure/typesetting.cpp sets them in figures: variables in italics,
+// Letters by what they stand for, as visualize/figure/text/typesetting.cpp sets them in figures: variables in italics,
 // quantities in colours of their own.
 
 // Letters with the digits, primes and small letters that follow them; neither the s of "it's" nor the e of 1e-8

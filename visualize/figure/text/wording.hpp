@@ -22,7 +22,7 @@
 #include <string_view>
 #include <vector>
 
-#include "figure/notation.hpp"  // IWYU pragma: export
+#include "figure/text/notation.hpp"  // IWYU pragma: export
 
 namespace gradus {
 

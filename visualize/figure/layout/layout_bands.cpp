@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 
 namespace gradus::layout {
 namespace {

@@ -1,4 +1,4 @@
-#include "figure/lexemes.hpp"
+#include "figure/listing/lexemes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 
 namespace gradus::layout {
 namespace {

@@ -1,4 +1,4 @@
-#include "figure/plain_code.hpp"
+#include "figure/listing/plain_code.hpp"
 
 #include <algorithm>
 #include <cctype>

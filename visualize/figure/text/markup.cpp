@@ -1,11 +1,11 @@
-#include "figure/markup.hpp"
+#include "figure/text/markup.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdint>
 
 #include "core/shown.hpp"
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 namespace {

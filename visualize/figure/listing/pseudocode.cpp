@@ -1,4 +1,4 @@
-#include "figure/pseudocode.hpp"
+#include "figure/listing/pseudocode.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "figure/lexemes.hpp"
-#include "figure/plain_code.hpp"
+#include "figure/listing/lexemes.hpp"
+#include "figure/listing/plain_code.hpp"
 
 namespace gradus {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/geometry.hpp"
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 
 namespace gradus::layout {
 namespace {

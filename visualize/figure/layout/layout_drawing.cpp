@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/geometry.hpp"
-#include "figure/layout.hpp"
-#include "figure/number_text.hpp"
+#include "figure/layout/layout.hpp"
+#include "figure/text/number_text.hpp"
 
 namespace gradus::layout {
 namespace {

@@ -1,4 +1,4 @@
-#include "figure/boxes.hpp"
+#include "figure/layout/boxes.hpp"
 
 namespace gradus::layout {
 

@@ -1,4 +1,4 @@
-#include "figure/number_text.hpp"
+#include "figure/text/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 #include "figure/trace.hpp"
 
 namespace gradus {

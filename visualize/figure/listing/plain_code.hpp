@@ -2,7 +2,7 @@
 // The first half of pseudocode: a line of C++ without what a textbook does without. Types, qualifiers,
 // conversions and captures go; declared names become assignments, braces with values in them those values.
 
-#include "figure/lexemes.hpp"
+#include "figure/listing/lexemes.hpp"
 
 namespace gradus::lexemes {
 

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <set>
 
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 
 namespace gradus::layout {
 namespace {

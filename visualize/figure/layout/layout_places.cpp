@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/contract.hpp"
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 
 namespace gradus::layout {
 namespace {

@@ -1,4 +1,4 @@
-#include "figure/notation.hpp"
+#include "figure/text/notation.hpp"
 
 namespace gradus {
 namespace {

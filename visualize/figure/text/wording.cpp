@@ -1,4 +1,4 @@
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 
 #include <fmt/args.h>
 
@@ -11,7 +11,7 @@
 
 namespace gradus {
 
-std::string_view language_text(std::string_view path);  // made by the build: see figure/wording.hpp
+std::string_view language_text(std::string_view path);  // made by the build: see figure/text/wording.hpp
 
 namespace {
 

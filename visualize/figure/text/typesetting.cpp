@@ -1,4 +1,4 @@
-#include "figure/typesetting.hpp"
+#include "figure/text/typesetting.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "figure/wording.hpp"
+#include "figure/text/wording.hpp"
 
 namespace gradus {
 

@@ -1,11 +1,11 @@
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "figure/typesetting.hpp"
+#include "figure/text/typesetting.hpp"
 
 namespace gradus::layout {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 
 namespace gradus::layout {
 namespace {

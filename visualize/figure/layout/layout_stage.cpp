@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/contract.hpp"
-#include "figure/layout.hpp"
-#include "figure/number_text.hpp"
+#include "figure/layout/layout.hpp"
+#include "figure/text/number_text.hpp"
 
 namespace gradus::layout {
 namespace {

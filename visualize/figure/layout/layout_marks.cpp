@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "figure/layout.hpp"
+#include "figure/layout/layout.hpp"
 
 namespace gradus::layout {
 

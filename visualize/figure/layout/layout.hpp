@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "figure/boxes.hpp"
 #include "figure/figure.hpp"
-#include "figure/metrics.hpp"
+#include "figure/layout/boxes.hpp"
 #include "figure/sheet.hpp"
+#include "figure/text/metrics.hpp"
 
 namespace gradus::layout {
 

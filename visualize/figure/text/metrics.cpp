@@ -1,4 +1,4 @@
-#include "figure/metrics.hpp"
+#include "figure/text/metrics.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ struct Advance {
 };
 
 constexpr Advance advances[] = {
-#include "figure/font_metrics.inc"
+#include "figure/text/font_metrics.inc"
 };
 constexpr double units_per_em = 2048;
 
