@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/geometry.hpp"
-#include "scene/scene_camera.hpp"
+#include "scene/camera/scene_camera.hpp"
 #include "stages/3_perspective.hpp"
 #include "stages/points.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plan/ledger.hpp"
-#include "scene/view.hpp"
+#include "scene/camera/view.hpp"
 
 namespace gradus::pipeline {
 

@@ -11,8 +11,6 @@
 namespace gradus::pipeline {
 namespace {
 
-constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
-
 /// A number as most files have them: at most 15 digits, a point among them or none, and no power. Both its
 /// digits as a whole number and the power of ten below them are doubles, so that their quotient, rounded
 /// once, is the nearest double. Nothing for all others.

@@ -5,6 +5,8 @@
 
 namespace gradus::pipeline {
 
+constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
+
 /// std::from_chars for a double in the general format: the nearest one, no white space, no + in front.
 std::from_chars_result read_decimal(const char* first, const char* last, double& value);
 

@@ -12,7 +12,7 @@
 
 #include "core/refusal.hpp"
 #include "core/shown.hpp"
-#include "scene/model_formats.hpp"
+#include "scene/models/model_formats.hpp"
 
 namespace gradus::pipeline {
 namespace {

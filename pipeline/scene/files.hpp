@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 #include "scene/scene_file.hpp"
 
 namespace gradus::pipeline {

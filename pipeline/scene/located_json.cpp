@@ -8,6 +8,7 @@
 
 #include "core/refusal.hpp"
 #include "core/shown.hpp"
+#include "scene/decimal.hpp"
 
 namespace gradus::pipeline {
 namespace {
@@ -16,7 +17,6 @@ using Kind = JsonNode::Kind;
 
 constexpr int deepest = 64;
 
-bool is_digit(char c) { return '0' <= c && c <= '9'; }
 bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
 
 void append_utf8(std::string& text, std::uint32_t code) {

@@ -9,8 +9,8 @@
 #include "core/mesh.hpp"
 #include "core/surface.hpp"
 #include "scene/antialiasing.hpp"
+#include "scene/camera/scene_camera.hpp"
 #include "scene/choices.hpp"
-#include "scene/scene_camera.hpp"
 
 namespace gradus::pipeline {
 

@@ -17,10 +17,10 @@
 #include "core/colour.hpp"
 #include "core/refusal.hpp"
 #include "core/shown.hpp"
-#include "scene/camera_path_keys.hpp"
+#include "scene/camera/camera_path_keys.hpp"
+#include "scene/camera/projection_keys.hpp"
 #include "scene/decimal.hpp"
 #include "scene/located_json.hpp"
-#include "scene/projection_keys.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
 namespace gradus::pipeline {

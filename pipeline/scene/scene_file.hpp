@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "core/image.hpp"
-#include "scene/camera_path.hpp"
-#include "scene/model_formats.hpp"
+#include "scene/camera/camera_path.hpp"
+#include "scene/camera/view.hpp"
+#include "scene/models/model_formats.hpp"
+#include "scene/models/textures.hpp"
 #include "scene/scene.hpp"
-#include "scene/textures.hpp"
-#include "scene/view.hpp"
 
 namespace gradus::pipeline {
 

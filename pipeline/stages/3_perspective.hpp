@@ -11,7 +11,7 @@
 #include "projection/parallel/parallel.hpp"
 #include "projection/perspective/perspective.hpp"
 #include "projection/viewing/viewing.hpp"
-#include "scene/scene_camera.hpp"
+#include "scene/camera/scene_camera.hpp"
 #include "stages/points.hpp"
 
 namespace gradus::pipeline {

@@ -440,7 +440,7 @@ class Planted(unittest.TestCase):
         self.caught("1_input.hpp:8: not of the form")
 
     def test_the_oracle_of_models_outside_tests(self):
-        self.write("pipeline/scene/obj.cpp", "#include <tiny_obj_loader.h>\n")
+        self.write("pipeline/scene/models/obj.cpp", "#include <tiny_obj_loader.h>\n")
         self.caught("<tiny_obj_loader.h> belongs into tests/")
 
     def test_an_observer_by_value(self):

@@ -92,7 +92,7 @@ class NoExceptions(unittest.TestCase):
         self.assertEqual(len(files), len(set(files)))
         for path in ("algorithms/core/arithmetic/exact_scalar.cpp", "visualize/figure/layout/layout.cpp",
                      "visualize/stories/telling.cpp", "visualize/json/json.cpp", "visualize/request/inputs.cpp",
-                     "visualize/live/protocol.cpp", "pipeline/scene/obj.cpp", "pipeline/pipeline.hpp"):
+                     "visualize/live/protocol.cpp", "pipeline/scene/models/obj.cpp", "pipeline/pipeline.hpp"):
             self.assertIn(path, files)
         for topic in project.topics():
             self.assertIn(f"algorithms/{topic.path}/{topic.name}.hpp", files)

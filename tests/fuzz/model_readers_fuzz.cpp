@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "core/image.hpp"
-#include "scene/off.hpp"
-#include "scene/ply.hpp"
-#include "scene/stl.hpp"
+#include "scene/models/off.hpp"
+#include "scene/models/ply.hpp"
+#include "scene/models/stl.hpp"
 #include "support/fuzz_input.hpp"
 
 using namespace gradus;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/image.hpp"
-#include "scene/materials.hpp"
+#include "scene/models/materials.hpp"
 #include "support/fuzz_input.hpp"
 
 using namespace gradus;

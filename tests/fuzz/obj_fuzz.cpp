@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "core/image.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 #include "support/fuzz_input.hpp"
 
 using namespace gradus;

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/refusal.hpp"
-#include "scene/road_demo.hpp"
+#include "scene/road/road_demo.hpp"
 #include "support/fuzz_input.hpp"
 
 using namespace gradus;

@@ -10,9 +10,9 @@
 
 #include "core/image.hpp"
 #include "pipeline.hpp"
+#include "scene/camera/framing.hpp"
 #include "scene/files.hpp"
-#include "scene/framing.hpp"
-#include "scene/textures.hpp"
+#include "scene/models/textures.hpp"
 
 namespace gradus::pipeline {
 namespace {

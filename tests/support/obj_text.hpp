@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/refusal.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 
 namespace gradus::pipeline {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "request/written_json.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 
 namespace gradus {
 

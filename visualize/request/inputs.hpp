@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/image.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus {

@@ -11,11 +11,11 @@
 #include "core/mesh.hpp"
 #include "core/random.hpp"
 #include "projection/viewing/viewing.hpp"
+#include "scene/camera/framing.hpp"
+#include "scene/camera/view.hpp"
 #include "scene/files.hpp"
-#include "scene/framing.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/view.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
 namespace gradus::bench::engine_scenes {

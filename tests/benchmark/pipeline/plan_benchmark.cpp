@@ -10,10 +10,10 @@
 #include "benchmark/subject.hpp"
 #include "pipeline.hpp"
 #include "plan/planned.hpp"
+#include "scene/camera/framing.hpp"
+#include "scene/camera/view.hpp"
 #include "scene/files.hpp"
-#include "scene/framing.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/view.hpp"
 
 namespace gradus::bench {
 namespace {

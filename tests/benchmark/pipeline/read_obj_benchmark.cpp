@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "benchmark/subject.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 
 #ifdef GRADUS_HAS_TINYOBJ
 #define TINYOBJLOADER_IMPLEMENTATION

@@ -7,8 +7,8 @@
 
 #include "benchmark/subject.hpp"
 #include "pipeline.hpp"
+#include "scene/camera/framing.hpp"
 #include "scene/files.hpp"
-#include "scene/framing.hpp"
 
 namespace gradus::bench {
 namespace {

@@ -11,8 +11,8 @@
 #include "benchmark/subject.hpp"
 #include "core/arithmetic/elementary.hpp"
 #include "pipeline.hpp"
-#include "scene/framing.hpp"
-#include "scene/obj.hpp"
+#include "scene/camera/framing.hpp"
+#include "scene/models/obj.hpp"
 
 namespace gradus::bench {
 namespace {

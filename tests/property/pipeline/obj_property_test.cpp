@@ -12,7 +12,7 @@
 
 #include "core/image.hpp"
 #include "core/random.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 #include "support/seed.hpp"
 #include "support/stress.hpp"
 

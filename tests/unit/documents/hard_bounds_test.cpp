@@ -20,7 +20,7 @@
 #include "projection/perspective/perspective.hpp"
 #include "projection/viewport/viewport.hpp"
 #include "scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"
-#include "scene/projection_keys.hpp"
+#include "scene/camera/projection_keys.hpp"
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading.hpp"
 #include "shading/texture_mapping/texture_mapping.hpp"

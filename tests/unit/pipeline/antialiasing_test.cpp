@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "pipeline.hpp"
+#include "scene/camera/framing.hpp"
 #include "scene/files.hpp"
-#include "scene/framing.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 #include "support/change_mesh.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 

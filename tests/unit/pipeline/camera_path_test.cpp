@@ -1,6 +1,6 @@
 // A camera that moves: what it is at its keys and between them, and what of a scene's file is no path.
 
-#include "scene/camera_path.hpp"
+#include "scene/camera/camera_path.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -16,7 +16,7 @@
 #include "engine/engine.hpp"
 #include "pipeline.hpp"
 #include "projection/viewing/viewing.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 #include "stages/arrangement.hpp"
 #include "support/seed.hpp"
 #include "why/why.hpp"

@@ -15,8 +15,8 @@
 
 #include "core/image.hpp"
 #include "pipeline.hpp"
+#include "scene/camera/framing.hpp"
 #include "scene/files.hpp"
-#include "scene/framing.hpp"
 #include "scene/scene_file.hpp"
 #include "stages/8_output.hpp"
 #include "support/random_scenes.hpp"

@@ -1,6 +1,6 @@
 // Default cameras: everything in the picture, as large as it may be.
 
-#include "scene/framing.hpp"
+#include "scene/camera/framing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Material libraries: keywords as programs write them, how textures are laid on, and what is told that no
 // picture shows.
 
-#include "scene/materials.hpp"
+#include "scene/models/materials.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

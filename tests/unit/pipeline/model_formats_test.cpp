@@ -1,6 +1,6 @@
 // Who reads a model, by its name.
 
-#include "scene/model_formats.hpp"
+#include "scene/models/model_formats.hpp"
 
 #include <gtest/gtest.h>
 

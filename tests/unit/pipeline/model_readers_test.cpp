@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/refusal.hpp"
-#include "scene/model_formats.hpp"
+#include "scene/models/model_formats.hpp"
 
 namespace gradus::pipeline::model_readers_test {
 namespace {

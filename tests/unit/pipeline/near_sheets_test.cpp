@@ -10,7 +10,7 @@
 
 #include "pipeline.hpp"
 #include "projection/viewing/viewing.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 #include "support/change_mesh.hpp"
 #include "why/why.hpp"
 #include "why/why_text.hpp"

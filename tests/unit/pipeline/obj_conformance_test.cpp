@@ -1,7 +1,7 @@
 // Models that other readers are tested with, and tinyobjloader as oracle on well-formed files and on forgiven
 // ones.
 
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@
 
 #include "core/refusal.hpp"
 #include "scene/files.hpp"
-#include "scene/materials.hpp"
+#include "scene/models/materials.hpp"
 #include "support/obj_text.hpp"
 
 namespace gradus::pipeline::obj_conformance_test {

@@ -1,6 +1,6 @@
 // What a model may name: its libraries and their places, and what is told of files beside it.
 
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@
 
 #include "core/refusal.hpp"
 #include "scene/files.hpp"
-#include "scene/materials.hpp"
+#include "scene/models/materials.hpp"
 #include "support/obj_text.hpp"
 
 namespace gradus::pipeline::obj_files_test {

@@ -1,6 +1,6 @@
 // OBJ and MTL: all forms that are read, and all that is refused with file and line.
 
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "scene/files.hpp"
-#include "scene/materials.hpp"
-#include "scene/obj_notes.hpp"
+#include "scene/models/materials.hpp"
+#include "scene/models/obj_notes.hpp"
 #include "support/obj_text.hpp"
 
 namespace gradus::pipeline::obj_test {

@@ -12,9 +12,9 @@
 #include "pipeline.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "projection/viewport/viewport.hpp"
-#include "scene/materials.hpp"
-#include "scene/movement.hpp"
-#include "scene/obj.hpp"
+#include "scene/camera/movement.hpp"
+#include "scene/models/materials.hpp"
+#include "scene/models/obj.hpp"
 #include "support/random_scenes.hpp"
 #include "support/seed.hpp"
 

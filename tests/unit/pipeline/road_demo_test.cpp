@@ -1,4 +1,4 @@
-#include "scene/road_demo.hpp"
+#include "scene/road/road_demo.hpp"
 
 #include <gtest/gtest.h>
 

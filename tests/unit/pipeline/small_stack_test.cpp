@@ -16,8 +16,8 @@
 
 #include "modeling/ear_clipping/many_corners.hpp"
 #include "pipeline.hpp"
-#include "scene/framing.hpp"
-#include "scene/obj.hpp"
+#include "scene/camera/framing.hpp"
+#include "scene/models/obj.hpp"
 #include "support/sanitized.hpp"
 #include "visibility/bsp_tree/bsp_tree.hpp"
 #include "visibility/octree_order/octree_order.hpp"

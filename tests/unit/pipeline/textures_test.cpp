@@ -1,6 +1,6 @@
 // Textures in the textbook chain: what a material's picture does to the colours, and what is refused.
 
-#include "scene/textures.hpp"
+#include "scene/models/textures.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 #include "core/colour.hpp"
 #include "pipeline.hpp"
-#include "scene/framing.hpp"
-#include "scene/obj.hpp"
+#include "scene/camera/framing.hpp"
+#include "scene/models/obj.hpp"
 
 namespace gradus::pipeline::textures_test {
 namespace {

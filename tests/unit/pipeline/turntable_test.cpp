@@ -1,6 +1,6 @@
 // A camera that goes once round: on a circle, back where it began, and nothing ever out of the picture.
 
-#include "scene/turntable.hpp"
+#include "scene/camera/turntable.hpp"
 
 #include <gtest/gtest.h>
 

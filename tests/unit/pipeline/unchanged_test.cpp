@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "plan/rules.hpp"
-#include "scene/camera_path.hpp"
+#include "scene/camera/camera_path.hpp"
 #include "scene/files.hpp"
 
 namespace gradus::pipeline::unchanged_test {

@@ -1,4 +1,4 @@
-#include "scene/view.hpp"
+#include "scene/camera/view.hpp"
 
 #include <gtest/gtest.h>
 

@@ -19,7 +19,7 @@
 #include "core/shown.hpp"
 #include "request/fingerprint.hpp"
 #include "request/names.hpp"
-#include "scene/textures.hpp"
+#include "scene/models/textures.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

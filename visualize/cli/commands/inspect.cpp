@@ -9,7 +9,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/files/files.hpp"
 #include "request/written_json.hpp"
-#include "scene/road_demo.hpp"
+#include "scene/road/road_demo.hpp"
 #include "text/table.hpp"
 #include "text/wrap.hpp"
 

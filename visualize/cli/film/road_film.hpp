@@ -9,7 +9,7 @@
 #include "core/image.hpp"
 #include "engine/buffers.hpp"
 #include "figure/colophon.hpp"
-#include "scene/road_demo.hpp"
+#include "scene/road/road_demo.hpp"
 
 namespace gradus::cli {
 

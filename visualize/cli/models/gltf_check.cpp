@@ -15,8 +15,8 @@
 #include "cli/models/imported_model.hpp"
 #include "core/refusal.hpp"
 #include "core/shown.hpp"
-#include "scene/little_endian.hpp"
 #include "scene/located_json.hpp"
+#include "scene/models/little_endian.hpp"
 
 namespace gradus::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 
 namespace gradus::cli {
 

@@ -12,7 +12,7 @@
 
 #include "cli/models/gltf_json.hpp"
 #include "cli/models/imported_model.hpp"
-#include "scene/little_endian.hpp"
+#include "scene/models/little_endian.hpp"
 
 namespace gradus::cli {
 namespace {

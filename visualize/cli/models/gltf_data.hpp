@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "scene/located_json.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 
 namespace gradus::cli {
 

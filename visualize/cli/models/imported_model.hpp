@@ -1,7 +1,7 @@
 #pragma once
 // Models of formats that our own readers don't read, by Assimp where it was there when gradus was built.
 
-#include "scene/model_formats.hpp"
+#include "scene/models/model_formats.hpp"
 
 namespace gradus::cli {
 

@@ -1,7 +1,7 @@
 #pragma once
 // From a scene as Assimp reads it to a model of ours.
 
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 
 struct aiScene;
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 
 namespace gradus::cli {
 

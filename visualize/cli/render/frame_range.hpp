@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/render/render_choices.hpp"
-#include "scene/camera_path.hpp"
+#include "scene/camera/camera_path.hpp"
 
 namespace gradus::cli {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "scene/camera/view.hpp"
 #include "scene/choices.hpp"
-#include "scene/view.hpp"
 
 namespace gradus::cli {
 

@@ -19,7 +19,7 @@
 #include "cli/terminal/progress.hpp"
 #include "plan/unchanged.hpp"
 #include "request/names.hpp"
-#include "scene/framing.hpp"
+#include "scene/camera/framing.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

@@ -9,8 +9,8 @@
 #include "request/fingerprint.hpp"
 #include "scene/files.hpp"
 #include "scene/located_json.hpp"
-#include "scene/model_formats.hpp"
-#include "scene/textures.hpp"
+#include "scene/models/model_formats.hpp"
+#include "scene/models/textures.hpp"
 
 namespace gradus::cli {
 namespace {

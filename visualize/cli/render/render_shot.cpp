@@ -13,8 +13,8 @@
 #include "pipeline.hpp"
 #include "plan/planned.hpp"
 #include "request/names.hpp"
-#include "scene/framing.hpp"
-#include "scene/turntable.hpp"
+#include "scene/camera/framing.hpp"
+#include "scene/camera/turntable.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

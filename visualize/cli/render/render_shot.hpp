@@ -12,8 +12,8 @@
 #include "cli/render/render_wish.hpp"
 #include "engine/buffers.hpp"
 #include "plan/ledger.hpp"
+#include "scene/camera/view.hpp"
 #include "scene/scene.hpp"
-#include "scene/view.hpp"
 
 namespace gradus::cli {
 

@@ -11,7 +11,7 @@
 
 #include "cli/command_line/errors.hpp"
 #include "request/names.hpp"
-#include "scene/turntable.hpp"
+#include "scene/camera/turntable.hpp"
 #include "stories/point_text.hpp"
 #include "stories/topic.hpp"
 

@@ -10,9 +10,9 @@
 #include "core/geometry.hpp"
 #include "core/image.hpp"
 #include "scene/antialiasing.hpp"
+#include "scene/camera/view.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/view.hpp"
 #include "stages/points.hpp"
 
 namespace gradus::cli {

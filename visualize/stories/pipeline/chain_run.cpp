@@ -7,8 +7,8 @@
 
 #include "core/arithmetic/exact_scalar.hpp"
 #include "projection/viewing/viewing.hpp"
-#include "scene/framing.hpp"
-#include "scene/obj.hpp"
+#include "scene/camera/framing.hpp"
+#include "scene/models/obj.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
 namespace gradus::textbook_chain {

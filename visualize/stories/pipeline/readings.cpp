@@ -10,8 +10,8 @@
 
 #include "projection/viewing/viewing_notes.hpp"
 #include "scene/decimal.hpp"
-#include "scene/obj.hpp"
-#include "scene/obj_notes.hpp"
+#include "scene/models/obj.hpp"
+#include "scene/models/obj_notes.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus {

@@ -4,7 +4,7 @@
 #include "core/geometry.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "projection/viewing/viewing_notes.hpp"
-#include "scene/obj.hpp"
+#include "scene/models/obj.hpp"
 #include "stories/space_drawing.hpp"
 #include "stories/telling.hpp"
 
