@@ -21,7 +21,7 @@
 #include "figure/figure.hpp"
 #include "support/example_traces.hpp"
 #include "support/share.hpp"
-#include "unit/visualize/films.hpp"
+#include "unit/visualize/cli/films.hpp"
 
 namespace gradus::cli {
 namespace {

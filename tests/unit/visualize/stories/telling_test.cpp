@@ -192,7 +192,7 @@ Trace told(const Rare& run, const Wording& wording) {
 
 /// Texts that only inputs say which are not among these. The list may only become shorter.
 std::set<std::string> said_elsewhere() {
-  std::ifstream file(std::string(GRADUS_SOURCE_DIR) + "/tests/unit/visualize/said_elsewhere.txt");
+  std::ifstream file(std::string(GRADUS_SOURCE_DIR) + "/tests/unit/visualize/stories/said_elsewhere.txt");
   std::set<std::string> keys;
   for (std::string key; std::getline(file, key);) keys.insert(key);
   return keys;
@@ -216,7 +216,7 @@ TEST(Telling, EverySentenceIsSaid) {
     if (!said.contains(key)) unsaid.insert(key);
   }
   if (std::getenv("GRADUS_UPDATE_GOLDEN")) {
-    std::ofstream file(std::string(GRADUS_SOURCE_DIR) + "/tests/unit/visualize/said_elsewhere.txt");
+    std::ofstream file(std::string(GRADUS_SOURCE_DIR) + "/tests/unit/visualize/stories/said_elsewhere.txt");
     for (const std::string& key : unsaid) file << key << "\n";
   }
   EXPECT_EQ(unsaid, said_elsewhere());

@@ -118,7 +118,7 @@ TEST(PipelineWay, FollowsPixelAndTriangleAsWhyTellsThem) {
 }
 
 /// All numbers in a text that are no part of a name: "v6", "E0".
-std::vector<std::string> numbers_in(std::string text) {
+std::vector<std::string> printed_numbers(std::string text) {
   for (std::size_t at = text.find("−"); at != text.npos; at = text.find("−", at)) text.replace(at, 3, "-");
   static const std::regex number(R"((^|[^a-zA-Z0-9#.])(-?[0-9]+(\.[0-9]+)?(e[+-][0-9]+)?))");
   std::vector<std::string> found;
@@ -236,7 +236,7 @@ TEST(PipelineWay, EveryNumberOnACardIsOneOfTheChain) {
       for (const std::string& text : card_of(playhead.at(k))) {
         // The way's lines begin with the number of their stage
         const bool stage = text.size() == 1 && '1' <= text[0] && text[0] <= '8';
-        for (const std::string& number : stage ? std::vector<std::string>{} : numbers_in(text)) {
+        for (const std::string& number : stage ? std::vector<std::string>{} : printed_numbers(text)) {
           EXPECT_TRUE(std::ranges::any_of(known, [&](double value) { return shows(number, value); }))
               << trace.steps[k].type << ": " << number << " in: " << text;
           ++checked;
@@ -272,7 +272,7 @@ TEST(PipelineWay, EachStageShowsItsOwnNumbers) {
       const Canvas& canvas = playhead.at(index_of(trace, {static_cast<std::int64_t>(stage), 0}));
       std::vector<std::string> numbers;
       for (const std::string& text : card_of(canvas)) {
-        for (std::string& number : numbers_in(text)) numbers.push_back(std::move(number));
+        for (std::string& number : printed_numbers(text)) numbers.push_back(std::move(number));
       }
       for (const double value : wanted[stage - 1]) {
         EXPECT_TRUE(std::ranges::any_of(numbers, [&](const std::string& text) { return shows(text, value); }))
