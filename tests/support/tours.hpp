@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "stories/pipeline/chain_run.hpp"
+#include "stories/pipeline/textbook_chain/run.hpp"
 #include "support/example_traces.hpp"
 
 namespace gradus::test::tours {

@@ -14,7 +14,7 @@
 #include "figure/alignment.hpp"
 #include "figure/figure.hpp"
 #include "request/written_json.hpp"
-#include "stories/pipeline/readings.hpp"
+#include "stories/pipeline/textbook_chain/readings.hpp"
 #include "stories/topic.hpp"
 #include "text/text_output.hpp"
 #include "theme/theme.hpp"

@@ -4,9 +4,9 @@
 #include "antialiasing/a_buffer/a_buffer.hpp"
 
 #include "antialiasing/a_buffer/a_buffer_notes.hpp"
-#include "stories/antialiasing/a_buffer_drawing.hpp"
-#include "stories/antialiasing/a_buffer_mask_story.hpp"
-#include "stories/antialiasing/a_buffer_pictures.hpp"
+#include "stories/antialiasing/a_buffer/drawing.hpp"
+#include "stories/antialiasing/a_buffer/mask_story.hpp"
+#include "stories/antialiasing/a_buffer/pictures.hpp"
 #include "stories/parameters.hpp"
 
 namespace gradus::a_buffer {

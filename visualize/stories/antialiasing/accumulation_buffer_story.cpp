@@ -2,11 +2,11 @@
 
 #include "antialiasing/accumulation_buffer/accumulation_buffer.hpp"
 
-#include "stories/antialiasing/accumulation_bytes.hpp"
-#include "stories/antialiasing/accumulation_lens.hpp"
-#include "stories/antialiasing/accumulation_motion.hpp"
-#include "stories/antialiasing/accumulation_side_by_side.hpp"
-#include "stories/antialiasing/accumulation_subject.hpp"
+#include "stories/antialiasing/accumulation_buffer/greys_story.hpp"
+#include "stories/antialiasing/accumulation_buffer/lens_story.hpp"
+#include "stories/antialiasing/accumulation_buffer/motion_story.hpp"
+#include "stories/antialiasing/accumulation_buffer/pictures.hpp"
+#include "stories/antialiasing/accumulation_buffer/subject.hpp"
 #include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 

@@ -3,9 +3,9 @@
 
 #include "antialiasing/adaptive/adaptive.hpp"
 
-#include "stories/antialiasing/adaptive_paper.hpp"
-#include "stories/antialiasing/adaptive_pictures.hpp"
-#include "stories/antialiasing/adaptive_subject.hpp"
+#include "stories/antialiasing/adaptive/drawing.hpp"
+#include "stories/antialiasing/adaptive/pictures.hpp"
+#include "stories/antialiasing/adaptive/subject.hpp"
 
 namespace gradus::adaptive {
 namespace {

@@ -4,10 +4,10 @@
 #include "antialiasing/area_sampling/area_sampling.hpp"
 
 #include "antialiasing/area_sampling/area_sampling_notes.hpp"
-#include "stories/antialiasing/area_sampling_moving.hpp"
-#include "stories/antialiasing/area_sampling_pixel.hpp"
-#include "stories/antialiasing/area_sampling_subject.hpp"
-#include "stories/antialiasing/area_sampling_tones.hpp"
+#include "stories/antialiasing/area_sampling/moving_story.hpp"
+#include "stories/antialiasing/area_sampling/pixel_story.hpp"
+#include "stories/antialiasing/area_sampling/subject.hpp"
+#include "stories/antialiasing/area_sampling/tones_story.hpp"
 
 namespace gradus::area_sampling {
 namespace {

@@ -4,8 +4,8 @@
 #include "antialiasing/jittered/jittered.hpp"
 
 #include "antialiasing/jittered/jittered_notes.hpp"
-#include "stories/antialiasing/jittered_exhibits.hpp"
-#include "stories/antialiasing/jittered_pictures.hpp"
+#include "stories/antialiasing/jittered/faulty_story.hpp"
+#include "stories/antialiasing/jittered/pictures.hpp"
 #include "stories/parameters.hpp"
 
 namespace gradus::jittered {

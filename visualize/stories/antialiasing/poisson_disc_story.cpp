@@ -3,7 +3,7 @@
 
 #include "antialiasing/poisson_disc/poisson_disc.hpp"
 
-#include "stories/antialiasing/poisson_disc_drawing.hpp"
+#include "stories/antialiasing/poisson_disc/drawing.hpp"
 #include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 

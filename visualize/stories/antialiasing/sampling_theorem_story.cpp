@@ -3,10 +3,10 @@
 
 #include "antialiasing/sampling_theorem/sampling_theorem.hpp"
 
-#include "stories/antialiasing/kernels_summed.hpp"
-#include "stories/antialiasing/patterns_sampled.hpp"
-#include "stories/antialiasing/sampled_sine.hpp"
-#include "stories/antialiasing/wheel_on_film.hpp"
+#include "stories/antialiasing/sampling_theorem/kernel_story.hpp"
+#include "stories/antialiasing/sampling_theorem/pattern_story.hpp"
+#include "stories/antialiasing/sampling_theorem/sine_story.hpp"
+#include "stories/antialiasing/sampling_theorem/wheel_story.hpp"
 #include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 

@@ -3,10 +3,10 @@
 
 #include "antialiasing/supersampling/supersampling.hpp"
 
-#include "stories/antialiasing/supersampling_large.hpp"
-#include "stories/antialiasing/supersampling_pictures.hpp"
-#include "stories/antialiasing/supersampling_pixel.hpp"
-#include "stories/antialiasing/supersampling_rays.hpp"
+#include "stories/antialiasing/supersampling/large_story.hpp"
+#include "stories/antialiasing/supersampling/pictures.hpp"
+#include "stories/antialiasing/supersampling/pixel_story.hpp"
+#include "stories/antialiasing/supersampling/rays_story.hpp"
 #include "stories/parameters.hpp"
 
 namespace gradus::supersampling {

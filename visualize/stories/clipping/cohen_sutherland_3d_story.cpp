@@ -4,7 +4,7 @@
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d.hpp"
 
 #include "stories/checking.hpp"
-#include "stories/clipping/cohen_sutherland_3d_drawing.hpp"
+#include "stories/clipping/cohen_sutherland_3d/drawing.hpp"
 #include "stories/clipping/region_codes.hpp"
 #include "stories/parameters.hpp"
 #include "stories/side_by_side.hpp"

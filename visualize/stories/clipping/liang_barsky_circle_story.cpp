@@ -3,7 +3,7 @@
 #include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
 
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
-#include "stories/clipping/chord_drawing.hpp"
+#include "stories/clipping/liang_barsky_circle/drawing.hpp"
 #include "stories/parameters.hpp"
 
 namespace gradus::liang_barsky_circle {

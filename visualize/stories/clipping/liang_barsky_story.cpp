@@ -4,7 +4,7 @@
 
 #include "clipping/liang_barsky/liang_barsky_box.hpp"
 #include "stories/clipping/clip_checking.hpp"
-#include "stories/clipping/liang_barsky_drawing.hpp"
+#include "stories/clipping/liang_barsky/drawing.hpp"
 #include "stories/parameters.hpp"
 #include "stories/side_by_side.hpp"
 

@@ -4,8 +4,8 @@
 #include "core/geometry.hpp"
 
 #include "clipping/polygon_circle/polygon_circle_notes.hpp"
-#include "stories/clipping/covered_area.hpp"
-#include "stories/clipping/unrolled_circle.hpp"
+#include "stories/clipping/polygon_circle/covered_area.hpp"
+#include "stories/clipping/polygon_circle/unrolled_circle.hpp"
 #include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 

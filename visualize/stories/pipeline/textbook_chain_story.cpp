@@ -2,8 +2,8 @@
 // pixel followed through all eight.
 
 #include "stories/parameters.hpp"
-#include "stories/pipeline/chain_run.hpp"
-#include "stories/pipeline/chain_tour.hpp"
+#include "stories/pipeline/textbook_chain/run.hpp"
+#include "stories/pipeline/textbook_chain/tour.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::textbook_chain {

@@ -3,7 +3,7 @@
 // stored.
 
 #include "stories/parameters.hpp"
-#include "stories/projection/perspective_telling.hpp"
+#include "stories/projection/perspective/stories.hpp"
 #include "stories/side_by_side.hpp"
 
 namespace gradus::perspective {

@@ -3,7 +3,7 @@
 #include "stories/checking.hpp"
 #include "stories/parameters.hpp"
 #include "stories/past.hpp"
-#include "stories/projection/viewing_drawing.hpp"
+#include "stories/projection/viewing/drawing.hpp"
 
 namespace gradus::viewing {
 namespace {

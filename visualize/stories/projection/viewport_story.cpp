@@ -6,7 +6,7 @@
 #include "projection/viewport/viewport_notes.hpp"
 #include "stories/checking.hpp"
 #include "stories/parameters.hpp"
-#include "stories/projection/viewport_drawing.hpp"
+#include "stories/projection/viewport/drawing.hpp"
 #include "stories/side_by_side.hpp"
 #include "stories/telling.hpp"
 

@@ -3,8 +3,8 @@
 #include "scan_conversion/antialiased_line/antialiased_line.hpp"
 
 #include "scan_conversion/antialiased_line/antialiased_line_notes.hpp"
-#include "stories/scan_conversion/antialiased_drawing.hpp"
-#include "stories/scan_conversion/antialiased_pictures.hpp"
+#include "stories/scan_conversion/antialiased_line/drawing.hpp"
+#include "stories/scan_conversion/antialiased_line/pictures.hpp"
 
 namespace gradus::antialiased_line {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
 #include "stories/checking.hpp"
-#include "stories/scan_conversion/circle_drawing.hpp"
+#include "stories/scan_conversion/bresenham_circle/drawing.hpp"
 
 namespace gradus::bresenham_circle {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
-#include "stories/scan_conversion/dda_story.hpp"
-#include "stories/scan_conversion/line_checking.hpp"
-#include "stories/scan_conversion/line_drawing.hpp"
+#include "stories/scan_conversion/bresenham_line/checking.hpp"
+#include "stories/scan_conversion/bresenham_line/dda_story.hpp"
+#include "stories/scan_conversion/bresenham_line/drawing.hpp"
 
 namespace gradus::bresenham_line {
 namespace {

@@ -5,8 +5,8 @@
 #include "scan_conversion/flood_fill/flood_fill_notes.hpp"
 #include "stories/checking.hpp"
 #include "stories/parameters.hpp"
-#include "stories/scan_conversion/fill_story.hpp"
-#include "stories/scan_conversion/fill_subject.hpp"
+#include "stories/scan_conversion/flood_fill/fill_story.hpp"
+#include "stories/scan_conversion/flood_fill/subject.hpp"
 
 namespace gradus::flood_fill {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"
 #include "stories/checking.hpp"
-#include "stories/scan_conversion/triangle_drawing.hpp"
+#include "stories/scan_conversion/triangle_coverage/drawing.hpp"
 
 namespace gradus::triangle_coverage {
 namespace {

@@ -7,9 +7,9 @@
 #include "shading/illumination/illumination_notes.hpp"
 #include "stories/parameters.hpp"
 #include "stories/past.hpp"
-#include "stories/shading/highlight_lobes.hpp"
-#include "stories/shading/illumination_drawing.hpp"
-#include "stories/shading/lights_side_by_side.hpp"
+#include "stories/shading/illumination/drawing.hpp"
+#include "stories/shading/illumination/lobe_story.hpp"
+#include "stories/shading/illumination/pictures.hpp"
 
 namespace gradus::illumination {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "shading/polygon_shading/polygon_shading_notes.hpp"
 #include "stories/parameters.hpp"
-#include "stories/shading/polygon_shading_subject.hpp"
-#include "stories/shading/three_pictures.hpp"
-#include "stories/shading/vertex_normals_drawing.hpp"
+#include "stories/shading/polygon_shading/normals_story.hpp"
+#include "stories/shading/polygon_shading/pictures.hpp"
+#include "stories/shading/polygon_shading/subject.hpp"
 #include "stories/side_by_side.hpp"
 
 namespace gradus::polygon_shading {

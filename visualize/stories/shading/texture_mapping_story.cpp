@@ -5,9 +5,9 @@
 
 #include "shading/texture_mapping/texture_mapping_notes.hpp"
 #include "stories/parameters.hpp"
-#include "stories/shading/texture_mapping_paper.hpp"
-#include "stories/shading/texture_mapping_pictures.hpp"
-#include "stories/shading/texture_mapping_subject.hpp"
+#include "stories/shading/texture_mapping/drawing.hpp"
+#include "stories/shading/texture_mapping/pictures.hpp"
+#include "stories/shading/texture_mapping/subject.hpp"
 
 namespace gradus::texture_mapping {
 namespace {

@@ -1,8 +1,8 @@
 // The story of a product of transformations in the plane: which factor acts first, and where the shape goes.
 
 #include "stories/parameters.hpp"
-#include "stories/transformation/affine_2d_checking.hpp"
-#include "stories/transformation/affine_2d_layout.hpp"
+#include "stories/transformation/affine_2d/checking.hpp"
+#include "stories/transformation/affine_2d/drawing.hpp"
 #include "transformation/affine_2d/affine_2d_notes.hpp"
 
 namespace gradus::affine_2d {

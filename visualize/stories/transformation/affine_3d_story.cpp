@@ -3,7 +3,7 @@
 
 #include "stories/parameters.hpp"
 #include "stories/side_by_side.hpp"
-#include "stories/transformation/turn_story.hpp"
+#include "stories/transformation/affine_3d/turn_story.hpp"
 
 namespace gradus::affine_3d {
 namespace {

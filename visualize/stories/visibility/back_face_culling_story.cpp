@@ -6,7 +6,7 @@
 
 #include "stories/checking.hpp"
 #include "stories/past.hpp"
-#include "stories/visibility/back_face_culling_drawing.hpp"
+#include "stories/visibility/back_face_culling/drawing.hpp"
 #include "visibility/back_face_culling/back_face_culling_notes.hpp"
 
 namespace gradus::back_face_culling {

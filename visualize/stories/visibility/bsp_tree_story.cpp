@@ -3,7 +3,7 @@
 #include "visibility/bsp_tree/bsp_tree.hpp"
 
 #include "stories/checking.hpp"
-#include "stories/visibility/bsp_tree_walk.hpp"
+#include "stories/visibility/bsp_tree/walk_story.hpp"
 #include "visibility/bsp_tree/bsp_tree_notes.hpp"
 
 namespace gradus::bsp_tree {

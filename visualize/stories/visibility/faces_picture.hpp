@@ -2,7 +2,7 @@
 // Faces as a distant reader sees them, with their names; and what becomes of them when they are painted over
 // each other in some order.
 
-#include "stories/visibility/faces_task.hpp"
+#include "stories/visibility/faces_subject.hpp"
 #include "stories/visibility/name_places.hpp"
 
 namespace gradus {

@@ -3,7 +3,7 @@
 #include "visibility/octree_order/octree_order.hpp"
 
 #include "stories/past.hpp"
-#include "stories/visibility/faces_task.hpp"
+#include "stories/visibility/faces_subject.hpp"
 
 namespace gradus::octree_order {
 namespace {

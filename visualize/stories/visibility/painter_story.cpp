@@ -5,7 +5,7 @@
 #include "stories/checking.hpp"
 #include "stories/listing.hpp"
 #include "stories/past.hpp"
-#include "stories/visibility/painter_drawing.hpp"
+#include "stories/visibility/painter/drawing.hpp"
 #include "visibility/painter/painter_notes.hpp"
 
 namespace gradus::painter {

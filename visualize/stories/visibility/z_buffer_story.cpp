@@ -5,8 +5,8 @@
 #include "stories/listing.hpp"
 #include "stories/parameters.hpp"
 #include "stories/rings.hpp"
-#include "stories/visibility/z_buffer_judge.hpp"
-#include "stories/visibility/z_buffer_subject.hpp"
+#include "stories/visibility/z_buffer/judge.hpp"
+#include "stories/visibility/z_buffer/subject.hpp"
 #include "visibility/z_buffer/z_buffer_notes.hpp"
 
 namespace gradus::z_buffer {

@@ -14,8 +14,8 @@
 #include "figure/figure.hpp"
 #include "figure/layout/layout.hpp"
 #include "pipeline.hpp"
-#include "stories/pipeline/chain_paper.hpp"
-#include "stories/pipeline/chain_run.hpp"
+#include "stories/pipeline/textbook_chain/panels.hpp"
+#include "stories/pipeline/textbook_chain/run.hpp"
 #include "support/sanitized.hpp"
 #include "support/tours.hpp"
 

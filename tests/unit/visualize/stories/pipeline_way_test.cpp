@@ -9,8 +9,8 @@
 #include <memory>
 #include <regex>
 
-#include "stories/pipeline/chain_run.hpp"
-#include "stories/pipeline/chain_way.hpp"
+#include "stories/pipeline/textbook_chain/run.hpp"
+#include "stories/pipeline/textbook_chain/way.hpp"
 #include "support/tours.hpp"
 #include "why/why.hpp"
 

@@ -1,6 +1,6 @@
 // The scenes of supersampling's pictures, sampled as their figures show them.
 
-#include "stories/antialiasing/supersampling_scenes.hpp"
+#include "stories/antialiasing/supersampling/scenes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,171 @@
+#pragma once
+// A box with an F on its front, and the axes of space, as the stories of space draw them: obliquely.
+
+#include "stories/space_drawing.hpp"
+#include "stories/transformation/affine_3d/subject.hpp"
+
+namespace gradus::affine_3d {
+
+using Shape = std::vector<dvec3>;
+
+/// Corner i lies at x, y, z = its bits 0, 1, 2; the F stands on the face z = 1, which looks to the reader.
+inline Shape box_of(dvec3 size) {
+  Shape corners;
+  for (int i = 0; i < 8; ++i) corners.push_back(size * dvec3{i & 1, i >> 1 & 1, i >> 2 & 1});
+  for (const auto& [x, y] : {std::pair{0.3, 0.15}, {0.3, 0.85}, {0.75, 0.85}, {0.3, 0.52}, {0.62, 0.52}}) {
+    corners.push_back(size * dvec3{x, y, 1});
+  }
+  return corners;
+}
+/// Corner A, on the front, from where the F is read.
+constexpr std::size_t corner_a = 7;
+
+inline Shape moved(const Mat& m, Shape points) {
+  for (dvec3& p : points) p = transform(m, p);
+  return points;
+}
+
+/// Scaled to length 1; 0 stays.
+template <class Vector>
+Vector unit(Vector v) {
+  const double length = length_between(Vector(0), v);
+  return length > 0 ? v / length : v;
+}
+
+inline std::vector<dvec2> on_paper(const Panel& panel, const Shape& shape) {
+  std::vector<dvec2> points;
+  for (const dvec3 p : shape) points.push_back(panel.at(oblique(p)));
+  return points;
+}
+inline void add_to(Extent& world, const Shape& shape) {
+  for (const dvec3 p : shape) world.add(oblique(p));
+}
+
+/// Space as a panel shows it: obliquely.
+inline SpaceDrawing drawing_in(const Panel& panel) {
+  return SpaceDrawing({.viewer = distant_viewer(towards_oblique),
+                       .at = [&panel](dvec3 p) { return std::optional(panel.at(oblique(p))); }});
+}
+
+/// A box's faces, each counter-clockwise from outside, whichever way a matrix has turned them.
+inline std::vector<std::vector<dvec3>> faces_of(const Shape& shape) {
+  dvec3 middle{0};
+  for (std::size_t i = 0; i < 8; ++i) middle += shape[i] / 8.0;
+  std::vector<std::vector<dvec3>> rings;
+  for (const auto& face : faces_of_box()) {
+    std::vector<dvec3>& ring = rings.emplace_back();
+    for (const std::size_t corner : face) ring.push_back(shape[corner]);
+    if (glm::dot(area_vector(ring), ring[0] - middle) < 0) std::ranges::reverse(ring);
+  }
+  return rings;
+}
+
+/// The edges of a box, then the lines of its F.
+inline std::vector<std::pair<dvec3, dvec3>> lines_of(const Shape& shape) {
+  std::vector<std::pair<dvec3, dvec3>> lines;
+  for (std::size_t a = 0; a < 8; ++a) {
+    for (const std::size_t bit : {1U, 2U, 4U}) {
+      if ((a & bit) == 0) lines.emplace_back(shape[a], shape[a | bit]);
+    }
+  }
+  for (const auto& [from, to] : {std::pair{8, 9}, {9, 10}, {11, 12}})
+    lines.emplace_back(shape[static_cast<std::size_t>(from)], shape[static_cast<std::size_t>(to)]);
+  return lines;
+}
+
+/// A box as a solid.
+inline void add_box(SpaceDrawing& space, const std::string& id, Role role, const Shape& shape) {
+  int number = 0;
+  for (auto& ring : faces_of(shape))
+    space.add(SpaceFace{.id = fmt::format("{} {}", id, number++), .role = role, .ring = std::move(ring)});
+  for (const auto& [a, b] : lines_of(shape))
+    space.add(SpaceEdge{.id = fmt::format("b {} {:02}", id, number++), .role = role, .a = a, .b = b});
+}
+
+/// What a box was: the lines of it that were seen.
+inline void add_outline(SpaceDrawing& space, const std::string& id, Role role, const Shape& shape) {
+  const HiddenLines own(faces_of(shape), distant_viewer(towards_oblique), length_between(shape[0], shape[7]));
+  int number = 0;
+  for (const auto& [a, b] : lines_of(shape)) {
+    for (const auto& [from, to, hidden] : own.pieces(a, b)) {
+      if (hidden) continue;
+      space.add(SpaceEdge{.id = fmt::format("b {} {:02}", id, number++),
+                          .role = role,
+                          .a = a + from * (b - a),
+                          .b = a + to * (b - a),
+                          .thin = true,
+                          .behind = false});
+    }
+  }
+}
+
+/// The box that is given, as a solid without its hidden lines.
+inline void add_given(SpaceDrawing& space, const std::string& id, const Shape& shape) {
+  int number = 0;
+  for (auto& ring : faces_of(shape)) {
+    space.add(
+        SpaceFace{.id = fmt::format("{} {}", id, number++), .role = Role::input, .ring = std::move(ring)});
+  }
+  add_outline(space, id, Role::input, shape);
+}
+
+/// A point with its name.
+inline void add_dot(View& view, const Panel& panel, const std::string& id, Role role, dvec3 at,
+                    const std::string& name) {
+  view.add_named("j " + id, "k " + id, role, panel.at(oblique(at)), name);
+}
+
+/// A straight line of space with a head, named.
+inline void add_arrow(View& view, const Panel& panel, const std::string& id, Role role, dvec3 from, dvec3 to,
+                      const std::string& name) {
+  const dvec2 a = panel.at(oblique(from)), b = panel.at(oblique(to));
+  if (a == b) return;
+  view.add({"d " + id, role, Stroke{a, b, true}});
+  if (!name.empty()) view.add({"k " + id, role, Label{0.5 * (a + b), name}});
+}
+
+/// How far the axes of space reach, for a box and what is near it.
+inline double reach_of(dvec3 box) { return 1.2 * std::max({box.x, box.y, box.z}); }
+
+constexpr int paper_width = 36, paper_height = 24;
+/// Where space is drawn: alone, beside the matrix, or twice, below it.
+constexpr Extent whole_place{{0.8, 2.2}, {35.2, 23.4}}, single_place{{0.4, 0.8}, {18, 23.2}},
+    left_place{{0.3, 1.7}, {17.7, 16.5}}, right_place{{18.3, 1.7}, {35.7, 16.5}};
+
+inline Shape tips_of_axes(dvec3 reach) { return {{reach.x, 0, 0}, {0, reach.y, 0}, {0, 0, reach.z}}; }
+
+inline void add_axes_of_space(View& view, SpaceDrawing& space, const Panel& panel, const std::string& id,
+                              dvec3 reach, const Words& words) {
+  const Shape tips = tips_of_axes(reach);
+  const std::vector<dvec2> at = on_paper(panel, tips);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const dvec2 name = at[i] + unit(at[i] - panel.at({0, 0}));
+    space.add(SpaceEdge{.id = fmt::format("0 {} axis {}", id, i),
+                        .role = Role::guide,
+                        .a = dvec3{0},
+                        .b = tips[i],
+                        .arrow = true,
+                        .behind = false});
+    view.add(
+        {fmt::format("0 {} axis name {}", id, i), Role::guide, Text{name, words.axis(static_cast<int>(i))}});
+  }
+}
+
+/// What a panel has to show at least: the axes of space and their names.
+inline Extent world_of_axes(dvec3 reach) {
+  Extent world;
+  world.add({0, 0});
+  add_to(world, tips_of_axes(1.08 * reach));
+  return world;
+}
+
+/// A matrix of space; `right` is the middle of its right bracket.
+inline void add_product(View& view, dvec2 right, const Mat& m, const Words& words) {
+  MatrixRows rows(4);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 4; ++x) rows[static_cast<std::size_t>(y)].push_back(m[x][y]);
+  }
+  add_matrix(view, "m", right, words.symbol("M"), oriented(words.wording(), std::move(rows)), Role::input);
+}
+
+}  // namespace gradus::affine_3d

@@ -1,0 +1,295 @@
+#pragma once
+// What stories of culling draw: the faces in space with the normal and the view vector, what the eye sees of
+// them, and one face's plane edge-on, where the angle is true.
+
+#include "core/arithmetic/elementary.hpp"
+#include "core/geometry.hpp"
+#include "projection/viewing/viewing.hpp"
+#include "stories/visibility/faces_subject.hpp"
+#include "visibility/back_face_culling/back_face_culling.hpp"
+
+namespace gradus::back_face_culling {
+
+template <class Vec>
+std::vector<std::span<const Vec>> spans_of(const std::vector<std::vector<Vec>>& rings) {
+  return {rings.begin(), rings.end()};
+}
+
+/// What a run is about: faces, and their viewer.
+struct Task {
+  std::vector<NamedFace> faces;
+  std::vector<Ring> rings = mapped(faces, &NamedFace::points);
+  bool distant = false;  ///< the eye is infinitely far away
+  Eye<double> eye{};
+  Frame<double> frame{};     ///< of the eye, or of a place before the faces
+  std::vector<Ring> view{};  ///< right, up, forward
+  dvec3 middle = faces_task::bounds_of(faces).centre();
+  double radius = faces_task::bounds_of(faces).radius();
+
+  dvec3 in_view(dvec3 p) const { return viewing::to_view(frame, p); }
+  /// (x, y, w) of a lens of 90 degrees.
+  std::vector<Ring> clip() const {
+    std::vector<Ring> all = view;
+    for (Ring& ring : all) {
+      for (dvec3& p : ring) p.z = distant ? 1 : p.z;
+    }
+    return all;
+  }
+  /// The picture. Domain: no corner has w = 0.
+  std::vector<Ring2> outlines() const {
+    return mapped(clip(),
+                  [](const Ring& ring) { return mapped(ring, [](dvec3 p) { return dvec2(p) / p.z; }); });
+  }
+  /// A place inside a face, for its name.
+  dvec3 inside(std::size_t face) const {
+    return middle_of(faces_task::is_flat(rings[face]) ? convex_parts(rings[face])[0] : rings[face]);
+  }
+  /// Whether all corners have such a depth.
+  template <class Is>
+  bool depths_are(const Is& such) const {
+    return std::ranges::all_of(clip(),
+                               [&](const Ring& ring) { return std::ranges::all_of(ring, such, &dvec3::z); });
+  }
+  bool eye_is_near() const { return !distant && length_between(dvec3(eye), middle) <= 4.5 * radius; }
+};
+
+inline Task task_of(const Arguments& arguments) {
+  Task task{faces_task::faces_of(arguments)};
+  if (const auto towards = arguments.place("towards")) {
+    const faces_task::Reader reader = faces_task::reader_of(arguments);
+    task.distant = true;
+    task.eye = {*towards, 0};
+    task.frame = {dvec3{0}, reader.right, reader.up, -reader.towards};
+  } else {
+    const dvec3 eye = *arguments.place("eye"), target = *arguments.place("target");
+    if (eye == target) refuse(arguments, {"target", "eye"}, "a target away from the eye expected");
+    task.eye = {eye, 1};
+    task.frame = viewing::spare_up(eye, target, dvec3{0, 1, 0});
+  }
+  for (const Ring& ring : task.rings)
+    task.view.push_back(mapped(ring, [&](dvec3 p) { return task.in_view(p); }));
+  return task;
+}
+
+/// How a face looks by now.
+struct Look {
+  Role role = Role::past;
+  bool filled = false, dashed = false, named = true;
+  int rank = 0;  ///< of two faces, the higher one draws the edge between them
+};
+
+/// An edge as the face that draws it looks.
+template <class Vec>
+struct DrawnEdge {
+  Look look;
+  Vec a, b;
+};
+
+/// All edges of some faces, each once, those of the least rank first.
+template <class Vec>
+std::vector<DrawnEdge<Vec>> edges_by_rank(const std::vector<std::vector<Vec>>& rings,
+                                          const std::vector<Look>& looks) {
+  std::vector<DrawnEdge<Vec>> all, edges;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    for (const auto& [a, b] : sides_of(rings[i])) all.push_back({looks[i], a, b});
+  }
+  std::ranges::stable_sort(all, std::greater{}, [](const auto& edge) { return edge.look.rank; });
+  for (const DrawnEdge<Vec>& edge : all) {
+    const auto same = [&](const DrawnEdge<Vec>& e) {
+      return (e.a == edge.a && e.b == edge.b) || (e.a == edge.b && e.b == edge.a);
+    };
+    if (std::ranges::none_of(edges, same)) edges.push_back(edge);
+  }
+  std::ranges::reverse(edges);
+  return edges;
+}
+
+// --- Space
+
+/// The faces from beside the eye.
+class SpacePicture {
+ public:
+  SpacePicture(const Task& task, const Extent& place, bool of_clip_space)
+      : task_(task),
+        of_clip_space_(of_clip_space),
+        reader_(unit_vector(-0.55 * task.frame.forward + 0.8 * task.frame.right +
+                            (of_clip_space ? 0.65 : 0.3) * task.frame.up)),
+        panel_(place, {}) {
+    Extent extent;
+    for (const Ring& ring : task.rings) {
+      extent.add(reader_.flat(tip_of(ring[0], newell_normal<double>(ring))));
+      extent.add(reader_.flat(ring[0] + view_arrow(ring[0])));
+      for (const dvec3 p : ring) extent.add(reader_.flat(p));
+    }
+    if (task.eye_is_near()) extent.add(reader_.flat(dvec3(task.eye)));
+    for (const dvec3 p : eye_plane()) extent.add(reader_.flat(p));
+    panel_ = Panel(place, extent);
+  }
+
+  void add(View& view, const std::vector<Look>& looks) const {
+    SpaceDrawing drawing(reader_.look(panel_));
+    for (std::size_t i = 0; i < task_.rings.size(); ++i) {
+      if (looks[i].filled) add_face(drawing, fmt::format("b {:03}", i), looks[i].role, task_.rings[i]);
+    }
+    std::size_t number = 0;
+    for (const auto& [look, a, b] : edges_by_rank(task_.rings, looks)) {
+      drawing.add(SpaceEdge{.id = fmt::format("b edge {:03}", number++),
+                            .role = look.role,
+                            .a = a,
+                            .b = b,
+                            .dashed = look.dashed,
+                            .thin = look.dashed});
+    }
+    number = 0;
+    for (const auto& [a, b] : sides_of(eye_plane())) {
+      drawing.add(SpaceEdge{.id = fmt::format("c plane {}", number++),
+                            .role = Role::boundary,
+                            .a = a,
+                            .b = b,
+                            .dashed = true,
+                            .thin = true});
+    }
+    drawing.add_to(view, "a");
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      if (looks[i].named)
+        view.add({fmt::format("n {:03}", i), looks[i].role, Text{at(task_.inside(i)), task_.faces[i].name}});
+    }
+    if (task_.eye_is_near()) view.add_named("e eye", Role::boundary, at(dvec3(task_.eye)), "E");
+  }
+  void add_normal(View& view, std::size_t face, dvec3 normal) const {
+    const dvec3 p = task_.rings[face][0];
+    view.add_named("p corner", Role::current, at(p), "P");
+    if (normal != dvec3{0}) add_arrow(view, "p normal", Role::input, at(p), at(tip_of(p, normal)), "N");
+  }
+  /// The sight line to a place.
+  void add_sight(View& view, dvec3 place) const {
+    view.add({"p sight", Role::measure, Stroke{at(place + view_arrow(place)), at(place)}});
+    view.add({"p sight end", Role::measure, Dot{at(place)}});
+  }
+  void add_view(View& view, std::size_t face) const {
+    const dvec3 p = task_.rings[face][0], arrow = view_arrow(p);
+    add_arrow(view, "p view", Role::measure, at(p), at(p + arrow), "V", at(p + 0.6 * arrow));
+  }
+
+  dvec2 at(dvec3 p) const { return panel_.at(reader_.flat(p)); }
+
+ private:
+  void add_face(SpaceDrawing& drawing, const std::string& id, Role role, const Ring& ring) const {
+    const auto parts = faces_task::is_flat(ring) ? std::vector<Ring>{ring} : triangles_of(ring);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      // A triangle of what is not flat may have no area
+      if (length_of(newell_normal<double>(parts[k])) <= 1e-9 * task_.radius * task_.radius) continue;
+      drawing.add(
+          SpaceFace{.id = fmt::format("{} {}", id, k), .role = role, .ring = parts[k], .one_sided = false});
+    }
+  }
+  /// A part of the plane w = 0 through the eye, where that is to be seen.
+  Ring eye_plane() const {
+    if (!of_clip_space_ || !task_.eye_is_near()) return {};
+    const auto corner = [&](dvec2 to) {
+      return dvec3(task_.eye) + 0.4 * task_.radius * (to.x * task_.frame.right + to.y * task_.frame.up);
+    };
+    return mapped(Ring2{{-1, 1}, {1, 1}, {1, -1}, {-1, -1}}, corner);
+  }
+  dvec3 tip_of(dvec3 p, dvec3 normal) const { return p + 0.4 * task_.radius * unit_vector(normal); }
+  /// The view vector where the drawing has room for it, else its beginning.
+  dvec3 view_arrow(dvec3 p) const {
+    const dvec3 whole = view_vector<double>(std::span(&p, 1), task_.eye);
+    return task_.eye_is_near() ? whole : task_.radius * unit_vector(whole);
+  }
+
+  const Task& task_;
+  const bool of_clip_space_;
+  faces_task::Reader reader_;
+  Panel panel_;
+};
+
+// --- The picture that the eye sees
+
+/// Outlines in the picture, as they come out of the division.
+class EyePicture {
+ public:
+  /// mirrored: also of corners behind the eye, which come out mirrored.
+  EyePicture(const Task& task, const Extent& place, bool mirrored) : task_(task), panel_(place, {}) {
+    if (!task.depths_are([&](double w) { return mirrored ? w != 0 : w > 0; })) return;
+    outlines_ = task.outlines();
+    panel_ = Panel(place, extent_around(std::views::join(outlines_)));
+  }
+  bool empty() const { return outlines_.empty(); }
+
+  void add(View& view, const std::vector<Look>& looks) const {
+    for (std::size_t i = 0; i < outlines_.size(); ++i) {
+      if (looks[i].filled)
+        view.add({fmt::format("q {:03} inside", i), looks[i].role, Area{{panel_.at(outlines_[i])}, 1}});
+    }
+    std::size_t number = 0;
+    for (const auto& [look, a, b] : edges_by_rank(outlines_, looks)) {
+      const Stroke stroke{panel_.at(a), panel_.at(b), false, look.dashed, look.dashed};
+      view.add({fmt::format("q edge {:03}", number++), look.role, stroke});
+    }
+  }
+  void add_names(View& view, const std::vector<Look>& looks) const {
+    for (std::size_t i = 0; i < outlines_.size(); ++i) {
+      if (!looks[i].named) continue;
+      const dvec3 place = task_.in_view(task_.inside(i));
+      const dvec2 at = panel_.at(dvec2(place) / (task_.distant ? 1 : place.z));
+      view.add({fmt::format("r {:03} name", i), looks[i].role, Text{at, task_.faces[i].name}});
+    }
+  }
+  /// Which way a face turns: an arrow along each edge.
+  void add_turn(View& view, std::size_t face, Role role, bool numbered) const {
+    if (empty()) return;
+    const Ring2 ring = panel_.at(outlines_[face]);
+    std::size_t number = 0;
+    for (const auto& [a, b] : sides_of(ring))
+      view.add({fmt::format("t turn {:02}", number++), role, Stroke{a, a + 0.62 * (b - a), true}});
+    for (std::size_t k = 0; k < (numbered ? ring.size() : 1); ++k)
+      view.add_named(fmt::format("t corner {:02}", k), role, ring[k],
+                     numbered ? fmt::format("{}", k + 1) : "P");
+  }
+  /// A triangle from the first corner on.
+  void add_triangle(View& view, std::size_t face, std::size_t corner, Role role) const {
+    const Ring2 ring = panel_.at(outlines_[face]);
+    add_ring(view, "s triangle", role, {ring[0], ring[corner], ring[corner + 1]}, 2);
+  }
+
+ private:
+  const Task& task_;
+  std::vector<Ring2> outlines_{};
+  Panel panel_;
+};
+
+// --- One plane
+
+/// A face's plane edge-on: its normal upwards, the view vector at its true angle.
+/// along_z: from the face against the view direction, where that is taken for the view vector.
+inline void add_edge_on(View& view, const Extent& place, dvec3 normal, std::optional<dvec3> to_eye,
+                        std::optional<dvec3> along_z) {
+  const Panel panel(place, {{-1.25, -1.1}, {1.25, 1.1}});
+  const auto at = [&](double x, double y) { return panel.at(dvec2{x, y}); };
+  view.add({"e plane", Role::current, Stroke{at(-1.25, 0), at(1.25, 0)}});
+  view.add_named("e point", Role::current, at(0, 0), "P");
+  view.add({"e front", Role::guide, Text{at(-1.2, 0.22), "+"}});
+  view.add({"e behind", Role::guide, Text{at(-1.2, -0.22), "−"}});
+  if (normal == dvec3{0}) return;
+  add_arrow(view, "e normal", Role::input, at(0, 0), at(0, 1), "N");
+  if (!to_eye || *to_eye == dvec3{0}) return;
+  const dvec3 up = unit_vector(normal), way = unit_vector(*to_eye);
+  const double cosine = std::clamp(glm::dot(up, way), -1.0, 1.0), turn = gradus::acos(cosine);
+  add_arrow(view, "e view", Role::measure, at(0, 0), at(std::sqrt(1 - cosine * cosine), cosine), "V");
+  if (along_z) {
+    const dvec3 across = unit_vector(way - cosine * up);
+    add_arrow(view, "e z", Role::rejected, at(0, 0), at(glm::dot(*along_z, across), glm::dot(*along_z, up)),
+              "−z");
+  }
+  const auto on_arc = [&](double radius, double angle) {
+    return at(radius * gradus::sin(angle), radius * gradus::cos(angle));
+  };
+  Ring2 arc;
+  for (int i = 0; i <= 16; ++i) arc.push_back(on_arc(0.36, turn * i / 16));
+  view.add({"e angle", Role::measure, Path{arc, false}});
+  view.add({"e angle text", Role::measure,
+            Text{on_arc(0.62, turn / 2), fmt::format("{:.0f}°", turn * 57.29577951308232)}});
+}
+
+}  // namespace gradus::back_face_culling

@@ -1,0 +1,337 @@
+#pragma once
+// What stories of the painter draw: the picture as it is painted so far, the order with its keys, the faces
+// from above, and a plane edge-on.
+
+#include "stories/visibility/bsp_tree/drawing.hpp"
+#include "stories/visibility/name_places.hpp"
+#include "visibility/painter/painter.hpp"
+
+namespace gradus::painter {
+
+using bsp_tree::DPolygon;
+using bsp_tree::EdgeOnPicture;
+using bsp_tree::PartNames;
+using bsp_tree::same_as;
+using DView = painter::View<double>;
+using Drawing = gradus::View;
+using Rectangle = gradus::Extent;
+
+inline constexpr int paper_width = 36, paper_height = 24;
+
+/// What a run is about: polygons, and their viewer.
+struct Task : bsp_tree::Polygons {
+  DView view{};
+  dvec3 right{}, up{}, forward{};  ///< of the view, of length 1
+
+  bool distant() const { return view.eye.w == 0; }
+  /// From the eye; from the origin where it is infinitely far away.
+  dvec3 from_eye(dvec3 p) const { return p - view.eye.w * dvec3(view.eye); }
+  double depth(dvec3 p) const { return glm::dot(forward, from_eye(p)); }
+  /// Seen from above: from side to side, and in depth.
+  dvec2 from_above(dvec3 p) const { return {glm::dot(right, from_eye(p)), depth(p)}; }
+  /// On the screen.
+  dvec2 seen(dvec3 p) const {
+    const dvec2 flat{glm::dot(right, from_eye(p)), glm::dot(up, from_eye(p))};
+    return distant() ? flat : flat / depth(p);
+  }
+  Ring2 seen(const DPolygon& polygon) const {
+    return mapped(polygon.corners, [&](dvec3 p) { return seen(p); });
+  }
+};
+
+/// The eye must be outside, with all in front of it: 89 degrees aside at most.
+inline void require_in_front(const Arguments& arguments, const Task& task) {
+  for (const DPolygon& polygon : task.polygons) {
+    for (const dvec3 p : polygon.corners) {
+      if (task.depth(p) > 0.0175 * glm::length(task.from_eye(p))) continue;
+      refuse(arguments, {"eye", "faces"},
+             fmt::format("an eye outside expected, with all faces in front of it; {} is beside or behind it",
+                         task.parts[polygon.face].name));
+    }
+  }
+}
+
+inline Task task_of(const Arguments& arguments) {
+  Task task{bsp_tree::polygons_of(arguments)};
+  Bounds bounds;
+  for (const dvec3 p : task.points) bounds.add(p);
+  const auto eye = arguments.place("eye");
+  if (eye && *eye == bounds.centre())
+    refuse(arguments, {"eye"}, "an eye outside expected, found it in the middle of all faces");
+  const faces_task::Reader reader =
+      eye ? faces_task::Reader(*eye - bounds.centre()) : faces_task::reader_of(arguments);
+  task.right = reader.right;
+  task.up = reader.up;
+  task.forward = -reader.towards;
+  task.view = eye ? view_along(Eye<double>(*eye, 1), bounds.centre() - *eye, reader.up)
+                  : distant_view(*arguments.place("towards"), reader.up);
+  if (eye) require_in_front(arguments, task);
+  return task;
+}
+
+/// Of the paper: the picture, and beside it the order.
+inline constexpr Rectangle picture_place{{1.6, 2.2}, {19.6, 22.6}}, order_place{{21.4, 12.6}, {35.6, 23.6}};
+
+/// Rows of the order that are shown, and their height.
+inline constexpr std::size_t most_rows = 5;
+inline constexpr double row_height = 2;
+
+/// A second look at the faces, below so many rows of the order.
+inline Rectangle place_below(std::size_t rows) {
+  const double upper = order_place.upper.y - 5 - row_height * static_cast<double>(std::min(rows, most_rows));
+  return {{22.6, 1.2}, {34.6, upper}};
+}
+
+// --- The picture
+
+/// Where two convex rings overlap.
+inline Ring2 common_part(Ring2 ring, const Ring2& window) {
+  const auto cross = [](dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; };
+  double turn = 0;
+  for (const auto& [a, b] : sides_of(window)) turn += cross(a, b);
+  for (const auto& [a, b] : sides_of(window)) {
+    const auto inside = [&](dvec2 p) { return turn * cross(b - a, p - a); };
+    Ring2 kept;
+    for (const auto& [p, q] : sides_of(ring)) {
+      const double from = inside(p), to = inside(q);
+      if (from >= 0) kept.push_back(p);
+      if ((from < 0) != (to < 0)) kept.push_back(p + from / (from - to) * (q - p));
+    }
+    ring = std::move(kept);
+  }
+  return ring;
+}
+
+/// Whether a ring on the screen is more than a line.
+inline bool has_inside(const Ring2& ring) {
+  double area = 0, size = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const dvec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
+    area += a.x * b.y - a.y * b.x;
+    size = std::max({size, std::abs(a.x), std::abs(a.y)});
+  }
+  return std::abs(area) > 1e-6 * size * size;
+}
+
+/// One polygon painted over another that is in front of it.
+struct Wrong {
+  DPolygon late, early;
+  std::size_t number;  ///< the late one's
+};
+
+/// The depth at which a sight line meets a polygon's plane.
+inline double depth_at(const Task& task, const DPolygon& polygon, dvec2 seen) {
+  const dvec3 normal = unit_vector(area_vector(polygon.corners));
+  const dvec3 aside = seen.x * task.right + seen.y * task.up;
+  const double to_plane = glm::dot(normal, task.from_eye(polygon.corners[0]));
+  if (!task.distant()) return to_plane / glm::dot(normal, aside + task.forward);
+  return (to_plane - glm::dot(normal, aside)) / glm::dot(normal, task.forward);
+}
+
+/// Whether one that is painted over another lies behind it somewhere.
+inline bool wrongly_over(const Task& task, const DPolygon& late, const DPolygon& early) {
+  const Ring2 common = common_part(task.seen(late), task.seen(early));
+  if (!has_inside(common)) return false;
+  return std::ranges::any_of(common, [&](dvec2 place) {
+    const double over = depth_at(task, late, place), under = depth_at(task, early, place);
+    return over > under + 1e-6 * (std::abs(over) + std::abs(under));
+  });
+}
+
+/// What is painted so far, over outlines of what is to come; and the two polygons at hand.
+class Picture {
+ public:
+  explicit Picture(const Task& task)
+      : task_(task),
+        flat_(faces_task::Reader(dvec3{0, 0, 1}), picture_place,
+              mapped(task.points, [&](dvec3 p) { return dvec3(task.seen(p), 0); })) {}
+
+  dvec2 at(dvec3 p) const { return flat_.at(dvec3(task_.seen(p), 0)); }
+  std::optional<dvec2> shown_at(dvec3 p) const {
+    return task_.distant() || task_.depth(p) > 0 ? std::optional(at(p)) : std::nullopt;
+  }
+  Ring2 at(const DPolygon& polygon) const {
+    return mapped(polygon.corners, [&](dvec3 p) { return at(p); });
+  }
+
+  void add_painted(Drawing& drawing, const std::vector<DPolygon>& painted, const PartNames& names, Role role,
+                   Role last, const std::vector<DPolygon>& waiting) const {
+    std::vector<ShownFace> faces;
+    for (const DPolygon& polygon : painted) faces.push_back({names(polygon), on_screen(polygon), role});
+    if (!faces.empty()) faces.back().role = last;
+    flat_.add_painted(drawing, std::move(faces),
+                      mapped(waiting, [&](const DPolygon& polygon) { return on_screen(polygon); }));
+  }
+  /// The outline of one that waits, with its name where it is in none of the others that wait.
+  void add_outline(Drawing& drawing, const DPolygon& polygon, Role role, const std::string& name,
+                   const std::vector<DPolygon>& waiting) const {
+    const Ring2 ring = at(polygon);
+    std::vector<Ring2> others;
+    for (const DPolygon& other : waiting) {
+      if (Ring2 outline = at(other); outline != ring) others.push_back(std::move(outline));
+    }
+    if (role != Role::past) drawing.add({"p " + name + " inside", role, Area{{ring}, 1}});
+    drawing.add({"p " + name, role, Path{ring, true}});
+    drawing.add({"p " + name + " name", role, Text{clear_place(ring, others), name}});
+  }
+  /// Where one may cover the other.
+  void add_common(Drawing& drawing, const DPolygon& p, const DPolygon& q, Role role) const {
+    if (const Ring2 ring = common_part(at(p), at(q)); ring.size() >= 3)
+      add_ring(drawing, "q common", role, ring, 3);
+  }
+  /// A line that has p on one side and q on the other: level, upright, or along an edge.
+  void add_parting(Drawing& drawing, const DPolygon& p, const DPolygon& q, Test passed) const {
+    const Ring2 a = at(p), b = at(q);
+    if (passed == Test::apart) {
+      for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+        if (add_parting_edge(drawing, one, other)) return;
+      }
+      return;
+    }
+    const int axis = passed == Test::across ? 0 : 1;
+    const auto [least_a, most_a] = range(a, axis);
+    const auto [least_b, most_b] = range(b, axis);
+    const double middle = most_a <= least_b + 1e-9 ? (most_a + least_b) / 2 : (most_b + least_a) / 2;
+    const auto& [lower, upper] = picture_place;
+    const double foot = axis == 0 ? lower.y - 0.9 : lower.x - 0.9;
+    const auto place = [&](double along, double across) {
+      return axis == 0 ? dvec2{along, across} : dvec2{across, along};
+    };
+    drawing.add(
+        {"m parting", Role::measure,
+         Stroke{place(middle, foot - 0.5), place(middle, axis == 0 ? upper.y : upper.x), false, true}});
+    drawing.add({"m extent p", Role::current, Stroke{place(least_a, foot), place(most_a, foot)}});
+    drawing.add({"m extent q", Role::accepted, Stroke{place(least_b, foot), place(most_b, foot)}});
+  }
+
+ private:
+  Ring on_screen(const DPolygon& polygon) const {
+    return mapped(polygon.corners, [&](dvec3 p) { return dvec3(task_.seen(p), 0); });
+  }
+  static std::pair<double, double> range(const Ring2& ring, int axis) {
+    const Rectangle extent = extent_around(ring);
+    return {extent.lower[axis], extent.upper[axis]};
+  }
+  static bool add_parting_edge(Drawing& drawing, const Ring2& ring, const Ring2& other) {
+    for (const auto& [a, b] : sides_of(ring)) {
+      const auto side = [&](dvec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); };
+      double inside = 0;
+      for (const dvec2 p : ring) inside += side(p);
+      const double margin = 1e-6 * std::abs(inside);
+      if (std::ranges::any_of(other, [&](dvec2 p) { return side(p) * inside > margin * margin; })) continue;
+      const auto [from, to] = span_in(picture_place, a, b - a, -1e3, 1e3);
+      drawing.add({"m parting", Role::measure, Stroke{a + from * (b - a), a + to * (b - a), false, true}});
+      return true;
+    }
+    return false;
+  }
+
+  const Task& task_;
+  FacesPicture flat_;
+};
+
+// --- The order
+
+/// A row of the order: what it is called, and its key, within the least and the most of its corners.
+struct Entry {
+  std::string name;
+  double least, most, key;
+  Role role;
+};
+
+/// The order from above to below: bars along the axis of keys, the far side on the right.
+class OrderPicture {
+ public:
+  /// keys: the least and the most of all.
+  explicit OrderPicture(std::pair<double, double> keys)
+      : least_(keys.first), most_(keys.second > keys.first ? keys.second : keys.first + 1) {}
+
+  /// first: the number of the first row.
+  void add(Drawing& drawing, const std::vector<Entry>& rows, std::size_t first,
+           const std::string& caption) const {
+    const auto& [lower, upper] = order_place;
+    drawing.add({"l caption", Role::guide, Text{{(left + right) / 2, upper.y - 0.5}, caption}});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Entry& row = rows[i];
+      const double y = row_at(i);
+      const std::string id = fmt::format("l {:03}", first + i);
+      drawing.add({id + " number", Role::guide, Text{{lower.x + 0.5, y}, fmt::format("{}.", first + i + 1)}});
+      drawing.add({id + " name", row.role, Text{{lower.x + 2.3, y}, row.name}});
+      drawing.add({id + " bar", row.role, Stroke{{at(row.least), y}, {at(row.most), y}}});
+      drawing.add({id + " key", row.role, Dot{{at(row.key), y}}});
+      drawing.add({id + " value", row.role, Text{{right + 0.7, y}, figure_real(row.key), Align::left}});
+    }
+  }
+  /// A key that others are held against, in so many rows.
+  void add_limit(Drawing& drawing, double key, std::size_t rows) const {
+    const double x = at(key);
+    drawing.add(
+        {"m limit", Role::measure, Stroke{{x, row_at(0) + 0.7}, {x, row_at(rows - 1) - 0.7}, false, true}});
+  }
+
+ private:
+  static constexpr double left = order_place.lower.x + 3.8, right = order_place.upper.x - 3.4;
+  static double row_at(std::size_t i) {
+    return order_place.upper.y - 2.2 - row_height * static_cast<double>(i);
+  }
+  double at(double key) const { return left + (key - least_) / (most_ - least_) * (right - left); }
+
+  double least_, most_;
+};
+
+// --- From above
+
+/// The faces seen along the screen's upright: depths go up, from the eye below.
+class PlanPicture {
+ public:
+  PlanPicture(const Task& task, const Rectangle& place) : task_(task), place_(place), panel_(place, {}) {
+    Rectangle extent = extent_around(mapped(task.points, [&](dvec3 p) { return task.from_above(p); }));
+    if (shows_eye(extent)) extent.add(dvec2{0});
+    panel_ = Panel({place_.lower + dvec2{0, 1.4}, place_.upper}, extent);
+    if (shows_eye(extent)) eye_ = panel_.at(dvec2{0});
+  }
+
+  void add_polygon(Drawing& drawing, const DPolygon& polygon, Role role, const std::string& name,
+                   int rank) const {
+    const Ring2 ring = mapped(polygon.corners, [&](dvec3 p) { return panel_.at(task_.from_above(p)); });
+    drawing.add({fmt::format("v {} {}", rank, name), role, Path{ring, true}});
+    drawing.add({"w " + name, role, Label{middle_of(ring), name}});
+  }
+  /// The eye, or the way to it.
+  void add_eye(Drawing& drawing, const std::string& name) const {
+    if (eye_) {
+      drawing.add_named("u eye", Role::boundary, *eye_, name);
+      return;
+    }
+    const dvec2 at{place_.centre().x, place_.lower.y + 0.2};
+    drawing.add({"u eye", Role::boundary, Stroke{at + dvec2{0, 1.3}, at, true}});
+    drawing.add({"u eye name", Role::boundary, Text{at + dvec2{0.7, 0.4}, name, Align::left}});
+  }
+  /// The depth at which one begins.
+  void add_depth(Drawing& drawing, double depth) const {
+    const double y = panel_.at(dvec2{0, depth}).y;
+    drawing.add({"m depth", Role::measure, Stroke{{place_.lower.x, y}, {place_.upper.x, y}, false, true}});
+  }
+  /// The distance of a place from the eye.
+  void add_distance(Drawing& drawing, dvec3 place, Role role, const std::string& name,
+                    const std::string& text) const {
+    if (!eye_) return;
+    const dvec2 to = panel_.at(task_.from_above(place));
+    drawing.add({"x " + name, role, Stroke{*eye_, to, false, false, true}});
+    drawing.add({"x " + name + " end", role, Dot{to}});
+    drawing.add({"x " + name + " text", role, Label{0.5 * (*eye_ + to), text}});
+  }
+
+ private:
+  /// It is not so far away that the faces become small.
+  bool shows_eye(const Rectangle& extent) const {
+    return !task_.distant() && extent.lower.y <= 1.5 * std::max(extent.size().x, extent.size().y);
+  }
+
+  const Task& task_;
+  const Rectangle place_;
+  Panel panel_;
+  std::optional<dvec2> eye_{};
+};
+
+}  // namespace gradus::painter
