@@ -181,14 +181,14 @@ def mirror_violations(root):
 
 def cli_violations(root):
     """The command knows topics only through the catalogue."""
+    words = re.compile("|".join(f"({project.naming(topic.name)})" for topic in project.topics(root)))
     names = [topic.name for topic in project.topics(root)]
-    words = re.compile(r"\b(" + "|".join(n.replace("_", "[_-]") for n in names) + r")\b")
     found = []
     for file in project.sources(root, "visualize/cli"):
         for number, line in enumerate(file.read_text(encoding="utf-8").split("\n"), 1):
             match = words.search(line)
             if match:
-                found.append(f"{file.relative_to(root).as_posix()}:{number}: names the topic {match.group(0)}")
+                found.append(f"{file.relative_to(root).as_posix()}:{number}: names the topic {names[match.lastindex - 1]}")
     return found
 
 
@@ -425,7 +425,18 @@ class Planted(unittest.TestCase):
 
     def test_the_command_names_a_topic(self):
         self.append("visualize/cli/main.cpp", '// e.g. "a-line"\n')
-        self.caught("main.cpp:3: names the topic a-line")
+        self.caught("main.cpp:3: names the topic a_line")
+
+    def test_the_command_names_a_topic_of_one_word(self):
+        self.append("CMakeLists.txt", "gradus_add_topic(lines/light PARTIAL)\n")
+        self.write("algorithms/lines/light/light.hpp", "")
+        self.write("visualize/cli/wish.cpp", 'double light = 0;  // how much light there is\nconst char* flag = "light";\n')
+        self.test_the_small_project_is_without_fault()
+        for line in ('const TopicEntry& entry = *find_entry("light");', "light::shine();", '"gradus run light --method off"',
+                     'if (topic.name == "light")', 'return "light" == entry.name;'):
+            with self.subTest(line):
+                self.write("visualize/cli/wish.cpp", line + "\n")
+                self.caught("wish.cpp:1: names the topic light")
 
     def test_an_observer_line_of_another_form(self):
         self.write("algorithms/lines/a_line/a_line.hpp", HEADER.replace("if constexpr (observed<O>) observer", "observer"))

@@ -21,8 +21,10 @@ import new_topic
 import project
 import topics_test
 
+# Words that the command, the pipeline and the tests use in a sense of their own, and that may name topics all the same
+WORDS = ("window", "light", "keyframes", "mesh", "colour")
 # In a family that is there and in a new one; the shortest names and the longest ones, which lines must have room for
-IN_A_FAMILY, SHORTEST = "clipping/made_up", "f/zz"
+IN_A_FAMILY, SHORTEST = "clipping/window", "f/zz"
 LONGEST = "f" * new_topic.LONGEST_FAMILY + "/" + "t" * new_topic.LONGEST_TOPIC
 COPIED = ("CMakeLists.txt", "README.md", "CHANGELOG.md", "LICENSE", ".clang-format", "bootstrap", "algorithms", "cmake", "docs",
           "examples", "pipeline", "tests", "visualize")
@@ -95,13 +97,13 @@ class Skeleton(unittest.TestCase):
         page = self.text(new_topic.PAGE)
         named = set(re.findall(r"`([^`]+)`", "".join(line for line in page.splitlines() if line.startswith("|"))))
         _, files, changed = self.made[IN_A_FAMILY]
-        self.assertEqual({path.replace("clipping", "F").replace("made_up", "T") for path in files} - named, set())
+        self.assertEqual({path.replace("clipping", "F").replace("window", "T") for path in files} - named, set())
         self.assertEqual((changed | {place for place in topics_test.PLACES if (self.root / place).exists()}) - named
                          - {"tests/stress", "tests/benchmark", "tests/architecture/machine_code"}, set())
 
     def test_its_unit_tests_fail_by_name(self):
-        self.assertRegex(self.text("tests/unit/clipping/made_up_test.cpp"),
-                         r"TEST\(MadeUp, IsToBeFilledIn\) {\s+FAIL\(\)\s+<< \"[^;}]*; docs/adding_a_topic.md")
+        self.assertRegex(self.text("tests/unit/clipping/window_test.cpp"),
+                         r"TEST\(Window, IsToBeFilledIn\) {\s+FAIL\(\)\s+<< \"[^;}]*; docs/adding_a_topic.md")
 
     def test_it_is_formatted_whatever_its_names(self):
         for name in self.made:
@@ -139,22 +141,27 @@ class Skeleton(unittest.TestCase):
         self.assertEqual(topics[-2:], [SHORTEST, LONGEST])
         for page, folder, end in (("README.md", "docs/topics/", ""), ("docs/README.md", "topics/", ""),
                                   ("docs/benchmarks.md", "topics/", "#charts")):
-            link = rf"\]\({folder}clipping/\w+\.md{end}\),\s+\[Made up\]\({folder}clipping/made_up\.md{end}\)\n"
+            link = rf"\]\({folder}clipping/\w+\.md{end}\),\s+\[Window\]\({folder}clipping/window\.md{end}\)\n"
             self.assertRegex(self.text(page), link)
             self.assertRegex(self.text(page), rf"\n *- f: \[Zz\]\({folder}f/zz\.md{end}\)\n")
         figures = list(topics_test.gallery(self.root).values())
         family = {path.split("/")[1] for path in before if path.startswith("clipping/")}
-        self.assertIn(figures[figures.index("made_up") - 1], family)
-        self.assertFalse(family & set(figures[figures.index("made_up"):]))
+        self.assertIn(figures[figures.index("window") - 1], family)
+        self.assertFalse(family & set(figures[figures.index("window"):]))
         self.assertEqual(lists.with_links(self.root, lists.titles(self.root)),
                          {path: self.text(path) for path, _ in lists.LINKS}, "as ./bootstrap lists writes them")
 
-    def test_it_compiles(self):
+    def test_it_compiles_beside_topics_of_other_words(self):
+        words = self.root / "words.hpp"
+        words.write_text("".join(f"namespace gradus::{word} {{\nvoid entry();\n}}\n" for word in WORDS if word not in IN_A_FAMILY),
+                         encoding="utf-8")
+        self.addCleanup(words.unlink)
         includes = [word for folder in ("algorithms", "visualize", "pipeline", "tests") for word in ("-I", self.root / folder)]
         for path in self.sources(IN_A_FAMILY):
             with self.subTest(path):
                 what = ["-include", self.root / path, "/dev/null"] if path.endswith(".hpp") else [self.root / path]
-                project.run(project.COMPILER, "-std=c++20", "-fsyntax-only", "-x", "c++", *WARNINGS, *includes, *what)
+                project.run(project.COMPILER, "-std=c++20", "-fsyntax-only", "-x", "c++", *WARNINGS, *includes,
+                            "-include", words, *what)
 
 
 class Refusals(unittest.TestCase):
@@ -186,16 +193,39 @@ class Refusals(unittest.TestCase):
         for name, reason in (("clipping/liang_barsky", "there is a topic clipping/liang_barsky already"),
                              ("modeling/liang_barsky", "there is a topic clipping/liang_barsky already"),
                              ("modeling/textbook_chain", "there is a topic pipeline/textbook_chain already"),
-                             ("clipping/figures", "visualize/cli/"), ("core/made_up", "'core' can't be a family"),
+                             ("clipping/figures", "'figures' can't be a topic: it is a command"), ("core/made_up", "'core' can't be a family"),
                              ("figure/made_up", "'figure' can't be a family"), ("class/made_up", "'class' can't be a family"),
                              ("clipping/template", "'template' can't be a topic"),
                              ("clipping/fmt", "'fmt' can't be a topic"), ("clipping/core", "'core' can't be a topic"),
                              ("clipping/exact_scalar", "'exact_scalar' can't be a topic"),
                              ("modeling/turn", "algorithms/core/arithmetic/turn.hpp uses that name"),
                              ("modeling/answers", "tests/benchmark/answers.hpp uses that name"),
-                             ("modeling/ivec2", "algorithms/core/geometry.hpp uses that name")):
+                             ("modeling/ivec2", "algorithms/core/geometry.hpp uses that name"),
+                             ("modeling/notation", "'notation' can't be a topic"),
+                             ("modeling/fill", "visualize/cli/commands/commands.cpp uses that name"),
+                             ("modeling/hidden_surfaces", "visualize/cli/commands/commands.cpp uses that name")):
             with self.subTest(name):
                 self.assertIn(reason, self.refused(name))
+
+    def test_words_of_others_are_no_names(self):
+        topics = "".join(f"gradus_add_topic(shading/{word})\n" for word in WORDS)
+        (self.root / "named/visualize").mkdir(parents=True)
+        (self.root / "named/visualize/cli").symlink_to(self.root / "visualize/cli")
+        (self.root / "named/CMakeLists.txt").write_text(topics, encoding="utf-8")
+        self.addCleanup(shutil.rmtree, self.root / "named")
+        self.assertEqual(layers_test.cli_violations(self.root / "named"), [])
+        for word in WORDS:
+            new_topic.check_names(self.root, "shading", word)
+
+    def test_where_a_word_is_taken(self):
+        for text, space, is_scope in (("namespace gradus {\nvoid light(int);\n}  // namespace gradus\n", "gradus", False),
+                                      ("namespace gradus {\nnamespace {\nint light = 1;\n}  // namespace\n}  // namespace gradus\n",
+                                       "gradus", False),
+                                      ("namespace gradus::a::light {\n}  // namespace gradus::a::light\n", "gradus::a", True),
+                                      ("namespace gradus::a {\n}  // namespace gradus::a\nnamespace gradus {\nusing light = int;\n",
+                                       "gradus", True)):
+            self.assertEqual(list(new_topic.declarations(text, "light")), [(space, is_scope)])
+        self.assertEqual(list(new_topic.declarations("namespace gradus {\n// void light();\n  int light = 1;\n", "light")), [])
 
     def plant(self, path):
         """A file of the user's, until the test's end."""
@@ -203,8 +233,8 @@ class Refusals(unittest.TestCase):
         self.addCleanup((self.root / path).unlink)
 
     def test_a_file_that_is_there_is_kept(self):
-        self.plant("docs/topics/clipping/made_up.md")
-        self.assertEqual("docs/topics/clipping/made_up.md is there already; nothing was written", self.refused(IN_A_FAMILY))
+        self.plant("docs/topics/clipping/window.md")
+        self.assertEqual("docs/topics/clipping/window.md is there already; nothing was written", self.refused(IN_A_FAMILY))
 
     def test_what_goes_wrong_half_way_is_undone(self):
         self.plant("visualize/stories/f")  # no folder can be made there, and eight files come before

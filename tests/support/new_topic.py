@@ -49,17 +49,46 @@ def folders(root, *parts):
     return {folder.name for part in parts for folder in (root / part).glob("*/")}
 
 
+def declarations(text, name):
+    """The namespaces in which a file of C++ declares this name, each with whether it is one that `name::` can speak of."""
+    declaration = re.compile(rf"(?:(?P<scope>namespace |using )(?P<outer>(?:\w+::)*)|(?![/ ])[\w:<>,&* \[\]]+ ){name}\b *[({{:;=]")
+    inside = []
+    for line in text.split("\n"):
+        declared, opened = declaration.match(line), re.match(r"(?:inline )?namespace(?: ([\w:]+))? {", line)
+        if declared:
+            outer = (declared["outer"] or "").removesuffix("::")
+            yield "::".join(filter(None, [*inside, outer])), declared["scope"] is not None
+        if opened:
+            inside.append(opened[1])
+        elif line.startswith("}  // namespace"):
+            inside.pop()
+
+
 def place_of(root, name):
-    """The file in which a topic of this name would meet another meaning of it: a declaration beside the topics' namespaces,
-    or a word of the command, which names no topic."""
-    declaration = re.compile(rf"^(?:namespace gradus::(?:\w+::)*|using (?:\w+::)*|(?![/ ])[\w:<>,&* \[\]]+ ){name}\b *[({{:;=]",
-                             re.MULTILINE)
-    word = re.compile(rf"\b{name.replace('_', '[_-]')}\b")
-    for file in project.sources(root, "algorithms/core", "visualize", "pipeline", "tests/stress", "tests/benchmark"):
-        path, text = file.relative_to(root).as_posix(), file.read_text(encoding="utf-8")
-        if word.search(text) and (path.startswith("visualize/cli/") or file.suffix == ".hpp" and declaration.search(text)):
-            return path
+    """The file in which a topic of this name would meet another meaning of it. gradus::name is the topic's alone, as is the function
+    of its name that its promises and its benchmark define; what has a namespace or a type for itself lies behind `name::` there. And
+    the command names no topic."""
+    in_command = re.compile(project.naming(name))
+    for file in project.sources(root, "algorithms/core", "visualize", "pipeline", "tests/stress", "tests/benchmark", "tests/support"):
+        text = file.read_text(encoding="utf-8")
+        for space, is_scope in declarations(text, name) if name in text else ():
+            if space == "gradus" or file.suffix == ".hpp" and (is_scope or space in ("gradus::bench", "gradus::stress")):
+                return file.relative_to(root).as_posix()
+        if file.is_relative_to(root / "visualize/cli") and in_command.search(text):
+            return file.relative_to(root).as_posix()
     return None
+
+
+def commands(root):
+    """What the command line takes where a topic could stand, too."""
+    table = (root / "visualize/cli/commands/commands.cpp").read_text(encoding="utf-8")
+    return set(re.findall(r'^ {6}\{"([a-z-]+)",$', table, re.MULTILINE))
+
+
+def sections(root):
+    """What the texts of figures speak of besides topics."""
+    files = [root / "visualize/figure/language/en.txt", *(root / "visualize/stories").rglob("*.en.txt")]
+    return {name for file in files for name in re.findall(r"^\[(\w+)", file.read_text(encoding="utf-8"), re.MULTILINE)}
 
 
 def targets(root):
@@ -76,8 +105,10 @@ def check_names(root, family, topic):
     parts = folders(root, ".", "visualize", "pipeline", "tests") | KEYWORDS
     if family in parts | {"core"}:
         raise Refusal(f"'{family}' can't be a family: it is a folder of the project or a word of C++")
-    if topic in parts | targets(root):
+    if topic in parts | targets(root) | sections(root):
         raise Refusal(f"'{topic}' can't be a topic: it is a part of the project or a word of C++")
+    if topic in commands(root):
+        raise Refusal(f"'{topic}' can't be a topic: it is a command")
     place = place_of(root, topic)
     if place:
         raise Refusal(f"'{topic}' can't be a topic: {place} uses that name")

@@ -44,6 +44,15 @@ def stories(root=ROOT):
                       re.MULTILINE)
 
 
+def naming(topic):
+    """What names a topic in the command, which knows none. Two words or more are the topic wherever they stand; a single one, as
+    light or window, may mean something else, unless a namespace, an example or a word about topics says that it doesn't."""
+    if "_" in topic:
+        return rf"\b{topic.replace('_', '[_-]')}\b"
+    about = r"\b(?:topics?|entry|entries|catalogue|find_entry)\b"
+    return rf'\b{topic}::|\bgradus [a-z]+ {topic}(?![\w.])|{about}.*"{topic}"|"{topic}".*{about}'
+
+
 def gallery():
     """The folder of the gallery that this build has drawn (the test browser/make_gallery); drawn here if it has not."""
     folder = BUILD / "browser/gallery"

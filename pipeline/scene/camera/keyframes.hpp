@@ -24,8 +24,6 @@ struct Keyframe {
 template <class Value>
 using Track = std::vector<Keyframe<Value>>;
 
-namespace keyframes {
-
 /// How much a value changes a frame on the straight way from key k to the next.
 template <class Value>
 Value steady_pace(const Track<Value>& track, std::size_t k) {
@@ -43,8 +41,6 @@ Value smooth_pace(const Track<Value>& track, std::size_t k) {
   const double before = here.frame - left.frame, behind = right.frame - here.frame;
   return (behind * steady_pace(track, k - 1) + before * steady_pace(track, k)) / (before + behind);
 }
-
-}  // namespace keyframes
 
 /// The value at a frame, or between two.
 ///
@@ -73,8 +69,8 @@ Value value_at(const Track<Value>& track, double frame, Interpolation how) {
   const double passed = frame - from, share = passed / (next->frame - from);
   if (how == Interpolation::linear) return start + share * (next->value - start);
   // Hermite's cubic in the shape of Horner
-  const Value steady = keyframes::steady_pace(track, k), leaving = keyframes::smooth_pace(track, k),
-              arriving = keyframes::smooth_pace(track, k + 1);
+  const Value steady = steady_pace(track, k), leaving = smooth_pace(track, k),
+              arriving = smooth_pace(track, k + 1);
   const Value bend = 3.0 * steady - 2.0 * leaving - arriving, twist = leaving + arriving - 2.0 * steady;
   return start + passed * (leaving + share * (bend + share * twist));
 }

@@ -102,8 +102,8 @@ TEST(Keyframes, LinearIsTheLine) {
 double size_at(const Track<double>& track, std::size_t k) {
   const double distance = track[k + 1].frame - track[k].frame;
   return std::max({std::abs(track[k].value), std::abs(track[k + 1].value),
-                   std::abs(keyframes::smooth_pace(track, k)) * distance,
-                   std::abs(keyframes::smooth_pace(track, k + 1)) * distance});
+                   std::abs(smooth_pace(track, k)) * distance,
+                   std::abs(smooth_pace(track, k + 1)) * distance});
 }
 
 TEST(Keyframes, SmoothIsBarryAndGoldmansCurve) {
