@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""No source file is longer than what one can read in one go: it is parted by subject instead."""
+"""No source file is longer than what one can read in one go, and no folder has more of them than one can look through: both are
+parted by subject instead."""
+import collections
 import os
 import pathlib
 import sys
@@ -9,7 +11,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import project
 
-MOST_LINES = 500
+MOST_LINES, MOST_FILES = 500, 50
 KINDS = (".cpp", ".hpp", ".py", ".js")
 FOLDERS = ("algorithms", "pipeline", "visualize", "examples", "docs", "tests")
 NOT_WRITTEN_BY_HAND = ("tests/fuzz/corpus",)
@@ -37,11 +39,29 @@ def complaints(root, still_long):
             for path, lines in sorted(lengths(root).items()) if lines > max(MOST_LINES, still_long.get(path, 0))]
 
 
+def crowded(root):
+    files = collections.Counter(path.rpartition("/")[0] for path in lengths(root))
+    return [f"{folder} has {count} files of source, {MOST_FILES} are the most" for folder, count in sorted(files.items()) if count > MOST_FILES]
+
+
 class FileSize(unittest.TestCase):
     def test_no_file_is_too_long(self):
         found = lengths(project.ROOT)
         self.assertGreater(len(found), 300)
         self.assertEqual(complaints(project.ROOT, STILL_LONG), [])
+
+    def test_no_folder_is_crowded(self):
+        self.assertEqual(crowded(project.ROOT), [])
+
+    def test_a_crowded_folder_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "pipeline/parts").mkdir(parents=True)
+            for number in range(MOST_FILES):
+                (root / f"pipeline/parts/{number}.cpp").touch()
+            self.assertEqual(crowded(root), [])
+            (root / "pipeline/parts/one_more.hpp").touch()
+            self.assertEqual(crowded(root), ["pipeline/parts has 51 files of source, 50 are the most"])
 
     def test_files_that_were_parted_leave_the_list(self):
         found = lengths(project.ROOT)
