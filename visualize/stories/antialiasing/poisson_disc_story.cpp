@@ -292,7 +292,7 @@ Random numbers_of(const Arguments& given) {
 }
 
 /// The area and the radius, which must leave room for no more than some hundred samples.
-std::pair<Area, double> task_of(const Arguments& given) {
+std::pair<Area, double> subject_of(const Arguments& given) {
   const std::vector<double> size = given.numbers("area");
   const Area area{{size[0], size[1]}, given.flag("tile")};
   const double radius = *given.number("radius");
@@ -318,7 +318,7 @@ std::pair<Area, double> task_of(const Arguments& given) {
 template <class Run>
 void tell_discs(Narrator& narrator, bool beside, Run run) {
   const Arguments& given = narrator.arguments();
-  const auto [area, radius] = task_of(given);
+  const auto [area, radius] = subject_of(given);
   narrator.paper(width, height);
   narrator.subtitle(
       area.wraps ? "subtitle.tile" : "subtitle",

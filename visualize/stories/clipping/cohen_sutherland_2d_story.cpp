@@ -18,7 +18,7 @@ using window_view::Line;
 /// gets a code alone, or all is dropped.
 enum class Way { cut_of_a_cut, correctly_rounded, codes_only, whole_or_nothing };
 
-struct Task {
+struct Subject {
   Line line;
   Rectangle<double> window;
   Order order;
@@ -28,7 +28,7 @@ struct Task {
 
 constexpr std::string_view usual_bits = "TBRL";
 
-Task task_of(const Arguments& arguments, const Notation& notation) {
+Subject subject_of(const Arguments& arguments, const Notation& notation) {
   const Line line = window_view::line_in(arguments);
   const Rectangle<double> window = window_view::window_in(arguments);
   window_view::require_scale(arguments, line, window);
@@ -43,14 +43,14 @@ struct Codes {
 
 class Story {
  public:
-  Story(const Words& words, const Task& task, Way way)
+  Story(const Words& words, const Subject& subject, Way way)
       : words_(words),
-        task_(task),
-        scene_(task.line, task.window, {{3.2, 5}, {35, 26}}),
+        subject_(subject),
+        plane_(subject.line, subject.window, {{3.2, 5}, {35, 26}}),
         way_(way),
         whole_(way == Way::whole_or_nothing),
-        now_(task.line) {}
-  const window_view::Scene& scene() const { return scene_; }
+        now_(subject.line) {}
+  const window_view::DrawnPlane& plane() const { return plane_; }
 
   void show(Board& board, const Classified<double>& c) {
     codes_ = read_ = {c.code_a, c.code_b};
@@ -78,8 +78,8 @@ class Story {
     // Its new place is named with its code below
     view.marks.erase("moved " + end(c.of_a));
     view.marks.erase("moved " + end(c.of_a) + " name");
-    scene_.add_cutting_border(view, c.border);
-    scene_.add_point(view, "cut now", Role::measure, c.to(), c.to(),
+    plane_.add_cutting_border(view, c.border);
+    plane_.add_point(view, "cut now", Role::measure, c.to(), c.to(),
                      fmt::format("{}: {}", figure_place(c.to()), digits(c.after())), false, end(c.of_a));
     board.milestone(std::move(view));
   }
@@ -96,7 +96,7 @@ class Story {
                       {"border", beyond(c.border)},
                       {"code", digits(c.of_a ? read_.a : read_.b)},
                       {"axis", words_.axis(axis)},
-                      {"at", coordinate(task_.window, c.border)},
+                      {"at", coordinate(subject_.window, c.border)},
                       {"other", words_.axis(1 - axis)},
                       {"formula", formula(c)},
                       {"value", c.to()[1 - axis]},
@@ -112,7 +112,7 @@ class Story {
     read_ = std::exchange(codes_, {r.code_a, r.code_b});
     ++rounds_;
     View view = drawing(Role::current);
-    scene_.add_point(view, "computed", Role::candidate, r.at, r.at, words_.say("computed"), true);
+    plane_.add_point(view, "computed", Role::candidate, r.at, r.at, words_.say("computed"), true);
     board.milestone(std::move(view));
   }
   Event say(const Recoded<double>& r) const {
@@ -129,9 +129,9 @@ class Story {
 
   void show(Board& board, const Accepted<double>& a) {
     read_ = codes_;
-    if (task_.right) off_ = window_view::off_by(a.line, *task_.right);
+    if (subject_.right) off_ = window_view::off_by(a.line, *subject_.right);
     const bool faulty = way_ == Way::codes_only || whole_;
-    unclipped_ = !task_.right || (faulty && off_.doubles > 0);
+    unclipped_ = !subject_.right || (faulty && off_.doubles > 0);
     View view = drawing(Role::result);
     if (unclipped_) add_right(view);
     board.milestone(std::move(view));
@@ -159,7 +159,7 @@ class Story {
             .facts = {{"common", r.common, "code"}},
             .words = {{"code_a", digits(codes_.a)},
                       {"code_b", digits(codes_.b)},
-                      {"border", beyond(first(task_.order, r.common))}},
+                      {"border", beyond(first(subject_.order, r.common))}},
             .ends = true,
             .decides = settled ? std::optional(decision()) : std::nullopt};
   }
@@ -180,16 +180,16 @@ class Story {
   std::string name(Border border) const { return words_.say(fmt::format("border.{}", name_of(border))); }
   std::string beyond(Border border) const { return words_.say(fmt::format("beyond.{}", name_of(border))); }
   static std::string end(bool of_a) { return of_a ? "a" : "b"; }
-  std::string digits(Code code) const { return code_text(code, task_.bits); }
+  std::string digits(Code code) const { return code_text(code, subject_.bits); }
   std::vector<Said> row(std::size_t number, bool of_a, Border border, dvec2 at) const {
     return {number, end(of_a), name(border), at.x, at.y, digits(codes_.a), digits(codes_.b)};
   }
   /// The cut with its numbers put in: "8 + 12·5/8".
   std::string formula(const Cut<double>& c) const {
-    const Line line = way_ == Way::correctly_rounded ? task_.line : before_;
+    const Line line = way_ == Way::correctly_rounded ? subject_.line : before_;
     const int i = axis_of(c.border), j = 1 - i;
     return fmt::format("{} + {}·{}/{}", figure_real(line.a[j]), figure_factor(line.b[j] - line.a[j]),
-                       figure_factor(coordinate(task_.window, c.border) - line.a[i]),
+                       figure_factor(coordinate(subject_.window, c.border) - line.a[i]),
                        figure_factor(line.b[i] - line.a[i]));
   }
 
@@ -207,20 +207,20 @@ class Story {
 
   std::int64_t count_of_cuts() const { return std::ssize(cuts_); }
   void add_right(View& view) const {
-    if (task_.right) scene_.add_line(view, "right", Role::accepted, *task_.right);
+    if (subject_.right) plane_.add_line(view, "right", Role::accepted, *subject_.right);
   }
   /// The whole drawing: regions with their codes, what was cut off, what is left.
   View drawing(Role left_over) const {
     View view;
-    scene_.add_window(view, words_);
+    plane_.add_window(view, words_);
     add_codes(view);
     for (std::size_t i = 0; i < cuts_.size(); ++i) {
       const bool last = i + 1 == cuts_.size() && left_over == Role::current;
-      scene_.add_line(view, fmt::format("cut off {}", i + 1), last ? Role::rejected : Role::past, cuts_[i],
+      plane_.add_line(view, fmt::format("cut off {}", i + 1), last ? Role::rejected : Role::past, cuts_[i],
                       true);
     }
-    scene_.add_line(view, "left over", left_over, now_, left_over == Role::rejected);
-    const auto& [a, b] = task_.line;
+    plane_.add_line(view, "left over", left_over, now_, left_over == Role::rejected);
+    const auto& [a, b] = subject_.line;
     const Role moved = left_over == Role::result ? left_over : Role::current;
     add_end(view, "a", {a, b}, now_.a, codes_.a, moved);
     add_end(view, "b", {b, a}, now_.b, codes_.b, moved);
@@ -230,9 +230,9 @@ class Story {
   void add_end(View& view, const std::string& name, const Line& given, dvec2 now, Code code,
                Role moved) const {
     const bool stays = given.a == now;
-    scene_.add_point(view, "end " + name, Role::input, given.a, given.b,
+    plane_.add_point(view, "end " + name, Role::input, given.a, given.b,
                      stays ? name + ": " + digits(code) : name, !stays, name);
-    if (!stays) scene_.add_point(view, "moved " + name, moved, now, now, digits(code), false, name);
+    if (!stays) plane_.add_point(view, "moved " + name, moved, now, now, digits(code), false, name);
   }
   /// The end whose code a region has; none where both or neither have it.
   std::string end_in(Code region) const {
@@ -241,8 +241,8 @@ class Story {
   }
   /// Each region's code where the segment leaves room for it, and which digit is which.
   void add_codes(View& view) const {
-    const auto [lower, upper] = scene_.shown();
-    const auto [from, to] = task_.window;
+    const auto [lower, upper] = plane_.shown();
+    const auto [from, to] = subject_.window;
     const double xs[] = {lower.x, from.x, to.x, upper.x}, ys[] = {lower.y, from.y, to.y, upper.y};
     const Code across[] = {bit(Border::left), 0, bit(Border::right)};
     const Code up[] = {bit(Border::bottom), 0, bit(Border::top)};
@@ -250,7 +250,7 @@ class Story {
       for (int k = 0; k < 3; ++k) {
         const Code region = static_cast<Code>(across[i] | up[k]);
         const auto place =
-            scene_.clear_place({{xs[i], ys[k]}, {xs[i + 1], ys[k + 1]}}, task_.line, {3.2, 1.7});
+            plane_.clear_place({{xs[i], ys[k]}, {xs[i + 1], ys[k + 1]}}, subject_.line, {3.2, 1.7});
         if (!place) continue;
         view.add(
             {fmt::format("region {:02}", region), Role::guide, Text{*place, digits(region)}, end_in(region)});
@@ -261,9 +261,9 @@ class Story {
   /// Beside the plane, which loses no height to it, or below a wide one.
   void add_order_of_digits(View& view) const {
     std::vector<std::string> names;
-    for (const char letter : task_.bits)
+    for (const char letter : subject_.bits)
       names.push_back(name(static_cast<Border>(border_letters.find(letter))));
-    const Extent& plane = scene_.panel().place();
+    const Extent& plane = plane_.panel().place();
     constexpr double widest_with_room = 22, line_height = 2.1;
     if (plane.size().x > widest_with_room) {
       const std::string order = fmt::format("{}", fmt::join(names, " · "));
@@ -279,8 +279,8 @@ class Story {
   }
 
   const Words& words_;
-  const Task& task_;
-  const window_view::Scene scene_;
+  const Subject& subject_;
+  const window_view::DrawnPlane plane_;
   const Way way_;
   const bool whole_;
   Line now_, before_{};  ///< what is left, and what was before the last cut
@@ -315,8 +315,8 @@ struct Numbers {
 
 template <Way way>
 void tell(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments(), narrator.words().notation());
-  const auto& [line, window, order, bits, right] = task;
+  const Subject subject = subject_of(narrator.arguments(), narrator.words().notation());
+  const auto& [line, window, order, bits, right] = subject;
   const Words& words = narrator.words();
   narrator.paper(window_view::paper_width, window_view::paper_height);
   say_digits_of_code(narrator, words.notation().bits, usual_bits, [&words](std::size_t border) {
@@ -330,16 +330,16 @@ void tell(Narrator& narrator) {
     narrator.add_to_legend(Role::accepted, "right");
     narrator.add_to_legend(Role::candidate, "candidate");
   }
-  Story story(words, task, way);
-  window_view::let_drag(narrator, story.scene());
+  Story story(words, subject, way);
+  window_view::let_drag(narrator, story.plane());
   const auto watcher = narrator.watcher(story);
   if constexpr (way == Way::cut_of_a_cut) cut_of_a_cut(line, window, order, watcher);
   if constexpr (way == Way::correctly_rounded) correctly_rounded(line, window, order, watcher);
   if constexpr (way == Way::codes_only) codes_only(line, window, order, 8, watcher);
   if constexpr (way == Way::whole_or_nothing) whole_or_nothing(line, window, watcher);
   narrator.result(story.result());
-  tell_side_by_side<Numbers>(narrator, [task]<class T>(T, const auto& observer) {
-    cut_of_a_cut(in_scalar<T>(task.line), in_scalar<T>(task.window), task.order, observer);
+  tell_side_by_side<Numbers>(narrator, [subject]<class T>(T, const auto& observer) {
+    cut_of_a_cut(in_scalar<T>(subject.line), in_scalar<T>(subject.window), subject.order, observer);
   });
 }
 

@@ -15,7 +15,8 @@ namespace {
 template <int N>
 class Story {
  public:
-  Story(const Words& words, const Task<N>& task) : words_(words), task_(task), state_{.rest = task.line} {}
+  Story(const Words& words, const Subject<N>& subject)
+      : words_(words), subject_(subject), state_{.rest = subject.line} {}
 
   void show(Board& board, const Classified<N, double>& c) {
     state_.code_a = state_.first_a = c.code_a;
@@ -45,7 +46,7 @@ class Story {
     Event event{.text = c.of_a ? "cut.a" : "cut.b",
                 .facts = facts(),
                 .words = {{"face", face},
-                          {"test", test_of(words_, task_.region, c.face)},
+                          {"test", test_of(words_, subject_.region, c.face)},
                           {"to", c.to()},
                           {"after", text(c.after())}},
                 .row = row(state_),
@@ -96,9 +97,9 @@ class Story {
   }
 
  private:
-  void draw(Board& board) const { board.milestone(view_of(words_, task_, state_)); }
+  void draw(Board& board) const { board.milestone(view_of(words_, subject_, state_)); }
 
-  std::string text(Code code) const { return code_text(code, task_.bits); }
+  std::string text(Code code) const { return code_text(code, subject_.bits); }
   std::string faces(Code code) const {
     std::string list;
     for (const Border face : usual_order<3>()) {
@@ -128,7 +129,7 @@ class Story {
   }
 
   const Words& words_;
-  const Task<N>& task_;
+  const Subject<N>& subject_;
   State<N> state_, read_;  ///< by now, and as it was when this step was decided
 };
 
@@ -165,77 +166,77 @@ Segment<4, double> seen_in(const Arguments& arguments) {
 }
 
 /// The plane that shows the first cut; x against w where there is none.
-int plane_of(const Task<4>& task) {
+int plane_of(const Subject<4>& subject) {
   std::optional<int> axis;
   const auto watch = [&axis]<class Step>(const Step& step) {
     if constexpr (std::same_as<Step, Cut<4, double>>) {
       if (!axis) axis = axis_of(step.face);
     }
   };
-  correctly_rounded(task.line, task.region, task.order, watch);
+  correctly_rounded(subject.line, subject.region, subject.order, watch);
   return axis.value_or(0);
 }
 
 constexpr std::string_view usual_bits = "FNTBRL";
 
 template <int N>
-Task<N> task_of(const Arguments& arguments, const Notation& notation) {
+Subject<N> subject_of(const Arguments& arguments, const Notation& notation) {
   const auto seen = seen_in(arguments);
   const auto order = order_in<3>(arguments);
   const std::string bits = digit_letters(arguments, notation.bits_in_space);
   if constexpr (N == 4) {
-    Task<4> task{seen, {}, order, bits};
-    task.plane = plane_of(task);
-    return task;
+    Subject<4> subject{seen, {}, order, bits};
+    subject.plane = plane_of(subject);
+    return subject;
   } else {
     return {segment_in<3>(arguments, "line"), box_in<3>(arguments, "box"), order, bits};
   }
 }
 
 /// The segment's ends and two opposite corners of the box, or ends with their w as they lie in space.
-void let_drag(Narrator& narrator, const Task<3>& task) {
-  const SpaceView space = space_of(task);
+void let_drag(Narrator& narrator, const Subject<3>& subject) {
+  const SpaceView space = space_of(subject);
   for (const std::string_view drawn : {"line", "box"})
     narrator.handles(drawn, [&](dvec3 p) { return space.at(p); });
 }
-void let_drag(Narrator& narrator, const Task<4>& task) {
-  const SpaceView space = space_of(task);
+void let_drag(Narrator& narrator, const Subject<4>& subject) {
+  const SpaceView space = space_of(subject);
   narrator.handles("homogeneous", [&](const dvec4& p) { return space.at(in_space(p)); });
 }
 
 template <int N, class Clip>
-void tell(Narrator& narrator, const Task<N>& task, Clip clip) {
+void tell(Narrator& narrator, const Subject<N>& subject, Clip clip) {
   narrator.paper(paper_width, paper_height);
   const Words& words = narrator.words();
   say_digits_of_code(narrator, words.notation().bits_in_space, usual_bits,
                      [&words](std::size_t face) { return face_name(words, static_cast<Border>(face)); });
-  narrator.subtitle("subtitle", {{"from", task.line.a}, {"to", task.line.b}});
+  narrator.subtitle("subtitle", {{"from", subject.line.a}, {"to", subject.line.b}});
   narrator.quantities({"a", "", "b"});  // as in the plane
   narrator.legend({{Role::boundary, N == 3 ? "box" : "volume"},
                    Role::input,
                    Role::current,
                    Role::rejected,
                    Role::result});
-  let_drag(narrator, task);
-  Story<N> story(narrator.words(), task);
+  let_drag(narrator, subject);
+  Story<N> story(narrator.words(), subject);
   narrator.result({{"inside", clip(narrator.watcher(story)).has_value()}});
 }
 
 void tell_cut_of_a_cut(Narrator& narrator) {
-  const auto task = task_of<3>(narrator.arguments(), narrator.words().notation());
-  tell(narrator, task,
-       [&](auto watcher) { return cut_of_a_cut(task.line, task.region, task.order, watcher); });
-  tell_side_by_side<Numbers>(narrator, [task]<class T>(T, const auto& observer) {
-    cut_of_a_cut(in_scalar<T>(task.line), in_scalar<T>(task.region), task.order, observer);
+  const auto subject = subject_of<3>(narrator.arguments(), narrator.words().notation());
+  tell(narrator, subject,
+       [&](auto watcher) { return cut_of_a_cut(subject.line, subject.region, subject.order, watcher); });
+  tell_side_by_side<Numbers>(narrator, [subject]<class T>(T, const auto& observer) {
+    cut_of_a_cut(in_scalar<T>(subject.line), in_scalar<T>(subject.region), subject.order, observer);
   });
 }
 
 /// In a box, or in the view volume before the division by w.
 template <int N>
 void tell_correctly_rounded(Narrator& narrator) {
-  const auto task = task_of<N>(narrator.arguments(), narrator.words().notation());
-  tell(narrator, task,
-       [&](auto watcher) { return correctly_rounded(task.line, task.region, task.order, watcher); });
+  const auto subject = subject_of<N>(narrator.arguments(), narrator.words().notation());
+  tell(narrator, subject,
+       [&](auto watcher) { return correctly_rounded(subject.line, subject.region, subject.order, watcher); });
 }
 
 const Checking& checking() {

@@ -27,12 +27,12 @@ std::pair<std::string, std::string> told_apart(double a, double b) {
 class Story {
  public:
   /// asks_for_rest: whether the method tests that the values of t it is left with are in order.
-  Story(const Words& words, const Scene& scene, bool faulty, bool asks_for_rest)
+  Story(const Words& words, const Subject& subject, bool faulty, bool asks_for_rest)
       : words_(words),
-        scene_(scene),
+        subject_(subject),
         faulty_(faulty),
         asks_for_rest_(asks_for_rest),
-        drawing_(words, scene) {}
+        drawing_(words, subject) {}
 
   template <class Step>
   void show(Board& board, const Step& step) {
@@ -50,13 +50,13 @@ class Story {
 
   Event say(const Measured<double>& m) const {
     const double distance = std::abs(m.k) / std::sqrt(m.A);
-    const std::string near = real(distance), radius = real(scene_.circle.radius);
+    const std::string near = real(distance), radius = real(subject_.circle.radius);
     // D tells apart what looks the same here
     const bool alike = without_notes(near) == without_notes(radius);
     const char* than = alike ? (m.D == 0 ? "=" : "≈") : m.D == 0 ? "≈" : m.D > 0 ? "<" : ">";
     Event event{.text = "point",
                 .facts = {{"A", m.A}, {"k", m.k}, {"D", m.D}},
-                .words = {{"from", scene_.segment.a},
+                .words = {{"from", subject_.segment.a},
                           {"k", real(std::abs(m.k))},
                           {"root", real(std::sqrt(m.A))},
                           {"distance", near},
@@ -164,7 +164,7 @@ class Story {
                     : right ? "done"
                             : "done_rounded",
             .facts = {{"kept", f.kept.has_value()}},
-            .words = {{"kept", kept_text(f.kept)}, {"right", kept_text(scene_.right)}},
+            .words = {{"kept", kept_text(f.kept)}, {"right", kept_text(subject_.right)}},
             .row = {words_.say("kept"), "", words_.shared("words", f.kept ? "yes" : "no")}};
   }
 
@@ -185,8 +185,8 @@ class Story {
     if (l.first <= l.last) drawing_.add_limits(l.first, l.last);
   }
   void draw(const Placed& p) {
-    drawing_.add_end("from", scene_.segment.a, p.from, side_text(p.from));
-    drawing_.add_end("to", scene_.segment.b, p.to, side_text(p.to));
+    drawing_.add_end("from", subject_.segment.a, p.from, side_text(p.from));
+    drawing_.add_end("to", subject_.segment.b, p.to, side_text(p.to));
   }
   void draw(const Reached&) { drawing_.add_perpendicular(); }
   void draw(const Cut<double>& c) { drawing_.add_cut(c); }
@@ -204,7 +204,9 @@ class Story {
     return words_.say("from_to", {{"from", kept->a}, {"to", kept->b}});
   }
   /// As far as the reader can see.
-  bool is_right(const std::optional<Ends>& kept) const { return kept_text(kept) == kept_text(scene_.right); }
+  bool is_right(const std::optional<Ends>& kept) const {
+    return kept_text(kept) == kept_text(subject_.right);
+  }
 
   /// What D decides, in answers of this kind.
   Decision nearness(const std::string& kind, double D) const {
@@ -215,7 +217,7 @@ class Story {
   }
 
   const Words& words_;
-  const Scene& scene_;
+  const Subject& subject_;
   const bool faulty_, asks_for_rest_;
   ChordDrawing drawing_;
 };
@@ -246,18 +248,18 @@ void expect_computable(const Ends& s, const Disc& c) {
   }
 }
 
-void set_up(Narrator& narrator, const Scene& scene) {
-  require_scale(scene.panel, narrator.arguments(), {"circle"});
+void set_up(Narrator& narrator, const Subject& subject) {
+  require_scale(subject.panel, narrator.arguments(), {"circle"});
   narrator.paper(paper_width, paper_height);
-  narrator.subtitle("subtitle", {{"from", scene.segment.a},
-                                 {"to", scene.segment.b},
-                                 {"centre", scene.circle.centre},
-                                 {"radius", real(scene.circle.radius)}});
+  narrator.subtitle("subtitle", {{"from", subject.segment.a},
+                                 {"to", subject.segment.b},
+                                 {"centre", subject.circle.centre},
+                                 {"radius", real(subject.circle.radius)}});
   narrator.quantities({"enters", "t", "leaves", "D"});
   narrator.legend({Role::boundary, Role::input, Role::candidate, Role::past, Role::measure, Role::accepted,
                    Role::result});
   narrator.key_by_type();
-  circle_drawing::let_drag(narrator, "line", scene.circle, scene.panel, true);
+  circle_drawing::let_drag(narrator, "line", subject.circle, subject.panel, true);
 }
 
 enum class Numbers { rounded, none };  ///< of t: whether the method computes them
@@ -269,9 +271,9 @@ void tell(Narrator& narrator) {
   const Ends segment{{line[0], line[1]}, {line[2], line[3]}};
   circle_drawing::expect_coordinates("line", {segment.a, segment.b});
   if (numbers == Numbers::rounded) expect_computable(segment, circle);
-  const Scene scene = scene_of(segment, circle, numbers == Numbers::rounded);
-  set_up(narrator, scene);
-  Story story(narrator.words(), scene, narrator.method().standing == Standing::faulty, asks_for_rest);
+  const Subject subject = subject_of(segment, circle, numbers == Numbers::rounded);
+  set_up(narrator, subject);
+  Story story(narrator.words(), subject, narrator.method().standing == Standing::faulty, asks_for_rest);
   const std::optional<Ends> kept = clip(segment, circle, narrator.watcher(story));
   // The parameters of the circle meet those of the segment
   if (const auto& steps = narrator.trace().steps; asks_for_rest && !steps.empty()) {

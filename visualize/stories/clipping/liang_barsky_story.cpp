@@ -25,7 +25,7 @@ class Story {
   using Accept = std::conditional_t<N == 2, Accepted<double>, BoxAccepted<double>>;
 
  public:
-  Story(const Words& words, const Task<N>& task) : words_(words), task_(task) {}
+  Story(const Words& words, const Subject<N>& subject) : words_(words), subject_(subject) {}
 
   void show(Board& board, const Start&) { draw(board); }
   Event say(const Start& s) const {
@@ -92,7 +92,7 @@ class Story {
     draw(board, Role::result);
     result_ = {{"accepted", true}};
     if constexpr (N == 2) {
-      if (const auto right = correctly_rounded(task_.line, task_.box))
+      if (const auto right = correctly_rounded(subject_.line, subject_.box))
         off_ = window_view::off_by(piece, *right);
       result_.push_back({"off_by", off_.doubles});
     }
@@ -135,7 +135,7 @@ class Story {
     view.add({"allowed", left_over, Stroke{scale_.at(enter_) + up, scale_.at(leave_) + up}});
   }
   void add_crossing(View& view, const Crossed& c, Role role) const {
-    const double t = task_.value_at(c.border);
+    const double t = subject_.value_at(c.border);
     const std::string text = mark(c.border, c.enters(), t);
     const auto [height, align] = rows_.of(text);
     const dvec2 foot = scale_.at(t), head = foot + dvec2{0, height};
@@ -151,16 +151,16 @@ class Story {
     return scale_.holds(t) ? text : fmt::format("{} {}", text, figure_real(t));
   }
   /// The values at all borders that the line crosses.
-  static std::vector<double> values_of(const Task<N>& task) {
+  static std::vector<double> values_of(const Subject<N>& subject) {
     std::vector<double> values;
     for (const Border border : usual_order<N>()) {
-      if (task.crosses(border)) values.push_back(task.value_at(border));
+      if (subject.crosses(border)) values.push_back(subject.value_at(border));
     }
     return values;
   }
-  static Scale scale_of(const Task<N>& task) {
+  static Scale scale_of(const Subject<N>& subject) {
     double least = -0.05, most = 1.05;
-    const std::vector<double> values = values_of(task);
+    const std::vector<double> values = values_of(subject);
     for (const double t : values) {
       if (t < Ground<N>::least || t > Ground<N>::most) continue;
       least = std::min(least, t - 0.05);
@@ -171,17 +171,17 @@ class Story {
   std::vector<Rows::Entry> entries() const {
     std::vector<Rows::Entry> entries;
     for (const Border border : usual_order<N>()) {
-      if (!task_.crosses(border)) continue;
-      const double t = task_.value_at(border);
-      entries.push_back({scale_.at(t).x, mark(border, task_.enters(border), t)});
+      if (!subject_.crosses(border)) continue;
+      const double t = subject_.value_at(border);
+      entries.push_back({scale_.at(t).x, mark(border, subject_.enters(border), t)});
     }
     return entries;
   }
 
   const Words& words_;
-  const Task<N>& task_;
-  const Ground<N> ground_{task_};
-  const Scale scale_ = scale_of(task_);
+  const Subject<N>& subject_;
+  const Ground<N> ground_{subject_};
+  const Scale scale_ = scale_of(subject_);
   const Rows rows_{entries()};
   double enter_ = 0, leave_ = 1;
   std::vector<Crossed> crossed_;
@@ -202,10 +202,10 @@ class OrderedStory : public Story<2> {
 
   void show(Board& board, const Ordered<double>& o) {
     const auto& [enter, leave] = o.span;
-    enter_ = enter ? task_.value_at(*enter) : 0;
-    leave_ = leave ? task_.value_at(*leave) : 1;
+    enter_ = enter ? subject_.value_at(*enter) : 0;
+    leave_ = leave ? subject_.value_at(*leave) : 1;
     crossed_.push_back({o.border, o.crossing, 0});
-    if (crossed_.back().crosses()) crossed_.back().t = task_.value_at(o.border);
+    if (crossed_.back().crosses()) crossed_.back().t = subject_.value_at(o.border);
     draw(board);
   }
   Event say(const Ordered<double>& o) const {
@@ -259,9 +259,9 @@ struct Numbers {
 };
 
 template <int N, class Clip>
-void tell(Narrator& narrator, const Task<N>& task, const Story<N>& story, Clip clip) {
+void tell(Narrator& narrator, const Subject<N>& subject, const Story<N>& story, Clip clip) {
   narrator.paper(window_view::paper_width, window_view::paper_height);
-  narrator.subtitle("subtitle", {{"from", task.line.a}, {"to", task.line.b}});
+  narrator.subtitle("subtitle", {{"from", subject.line.a}, {"to", subject.line.b}});
   narrator.quantities({"enter", "t", "leave", "p"});
   narrator.legend({Role::boundary, Role::input, Role::current, Role::measure, Role::candidate, Role::past,
                    Role::rejected, Role::result});
@@ -270,39 +270,41 @@ void tell(Narrator& narrator, const Task<N>& task, const Story<N>& story, Clip c
   narrator.result(story.result());
 }
 
-Task<2> window_task(const Arguments& arguments) {
-  const Task<2> task{window_view::line_in(arguments), window_view::window_in(arguments)};
-  window_view::require_scale(arguments, task.line, task.box);
-  return task;
+Subject<2> window_subject(const Arguments& arguments) {
+  const Subject<2> subject{window_view::line_in(arguments), window_view::window_in(arguments)};
+  window_view::require_scale(arguments, subject.line, subject.box);
+  return subject;
 }
 
 void tell_parametric(Narrator& narrator) {
-  const auto task = window_task(narrator.arguments());
+  const auto subject = window_subject(narrator.arguments());
   const auto order = order_in<2>(narrator.arguments());
-  Story<2> story(narrator.words(), task);
-  tell(narrator, task, story, [&] { parametric(task.line, task.box, order, narrator.watcher(story)); });
-  tell_side_by_side<Numbers>(narrator, [task, order]<class T>(T, const auto& observer) {
-    parametric(in_scalar<T>(task.line), in_scalar<T>(task.box), order, observer);
+  Story<2> story(narrator.words(), subject);
+  tell(narrator, subject, story,
+       [&] { parametric(subject.line, subject.box, order, narrator.watcher(story)); });
+  tell_side_by_side<Numbers>(narrator, [subject, order]<class T>(T, const auto& observer) {
+    parametric(in_scalar<T>(subject.line), in_scalar<T>(subject.box), order, observer);
   });
 }
 
 void tell_correctly_rounded(Narrator& narrator) {
-  const auto task = window_task(narrator.arguments());
+  const auto subject = window_subject(narrator.arguments());
   const auto order = order_in<2>(narrator.arguments());
   narrator.columns({{"border", false}, {"kind", false}, {"t"}, {"first", false}, {"last", false}});
-  OrderedStory story(narrator.words(), task);
-  tell(narrator, task, story,
-       [&] { correctly_rounded(task.line, task.box, order, narrator.watcher(story)); });
+  OrderedStory story(narrator.words(), subject);
+  tell(narrator, subject, story,
+       [&] { correctly_rounded(subject.line, subject.box, order, narrator.watcher(story)); });
 }
 
 void tell_box_parametric(Narrator& narrator) {
   const Arguments& arguments = narrator.arguments();
-  const Task<3> task{segment_in<3>(arguments, "space_line"), box_in<3>(arguments, "box")};
+  const Subject<3> subject{segment_in<3>(arguments, "space_line"), box_in<3>(arguments, "box")};
   const auto order = usual_order<3>();
-  Story<3> story(narrator.words(), task);
-  tell(narrator, task, story, [&] { box_parametric(task.line, task.box, order, narrator.watcher(story)); });
-  tell_side_by_side<Numbers>(narrator, [task, order]<class T>(T, const auto& observer) {
-    box_parametric(in_scalar<T>(task.line), in_scalar<T>(task.box), order, observer);
+  Story<3> story(narrator.words(), subject);
+  tell(narrator, subject, story,
+       [&] { box_parametric(subject.line, subject.box, order, narrator.watcher(story)); });
+  tell_side_by_side<Numbers>(narrator, [subject, order]<class T>(T, const auto& observer) {
+    box_parametric(in_scalar<T>(subject.line), in_scalar<T>(subject.box), order, observer);
   });
 }
 

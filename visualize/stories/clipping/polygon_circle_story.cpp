@@ -16,7 +16,7 @@ constexpr int width = 36, height = 27;
 constexpr dvec2 strip_from{6, 3.1}, strip_to{width - 6, 3.1};  ///< a scale below the plane
 
 /// What all steps are drawn from.
-struct Scene {
+struct Subject {
   std::vector<dvec2> polygon;
   Disc circle;
   std::optional<double> tolerance;
@@ -67,7 +67,7 @@ constexpr WayTexts texts_of(Way way) {
 
 class Story {
  public:
-  Story(const Words& words, const Scene& scene) : words_(words), scene_(scene) {}
+  Story(const Words& words, const Subject& subject) : words_(words), subject_(subject) {}
 
   template <class Step>
   void show(Board& board, const Step& step) {
@@ -116,7 +116,7 @@ class Story {
     erase("c ");
     std::size_t number = 0;
     for (const Crossing& c : s.crossings) add_crossing(c.at, ++number, c.leaves ? "out" : "in", c.leaves);
-    unrolled_ = UnrolledCircle(s.crossings, scene_.circle, {strip_from, strip_to, -12, 372});
+    unrolled_ = UnrolledCircle(s.crossings, subject_.circle, {strip_from, strip_to, -12, 372});
     unrolled_.add_to(view_, "g order");
   }
   Event say(const Sorted& s) const {
@@ -170,8 +170,8 @@ class Story {
   void draw(const Closed& c) {
     erase("e ");
     const std::string id = fmt::format("d piece {:03}", c.ring);
-    view_.add({id, Role::accepted, Area{{scene_.panel.at(chain_)}}});
-    view_.add({id + " line", Role::accepted, Path{scene_.panel.at(chain_), true}});
+    view_.add({id, Role::accepted, Area{{subject_.panel.at(chain_)}}});
+    view_.add({id + " line", Role::accepted, Path{subject_.panel.at(chain_), true}});
     chain_.clear();
   }
   Event say(const Closed& c) const {
@@ -184,7 +184,7 @@ class Story {
   void draw(const Finished<double>& f) {
     clear_result();
     add_rings(f.region);
-    if (scene_.tolerance && !f.region.rings.empty()) add_flat(f.region);
+    if (subject_.tolerance && !f.region.rings.empty()) add_flat(f.region);
   }
   Event say(const Finished<double>& f) const {
     const std::int64_t pieces = count(f.region.rings.size());
@@ -193,12 +193,12 @@ class Story {
                 .facts = {{"pieces", pieces}, {"area", covered.field()}},
                 .words = {{"area", covered.text()}}};
     if (pieces == 0) return event;
-    event.text = scene_.tolerance ? "done_flat" : "done";
+    event.text = subject_.tolerance ? "done_flat" : "done";
     event.count = pieces;
-    if (scene_.tolerance) {
+    if (subject_.tolerance) {
       event.words.insert(
           event.words.end(),
-          {{"corners", flat_corners_}, {"tolerance", *scene_.tolerance}, {"flat", flat_area_.text()}});
+          {{"corners", flat_corners_}, {"tolerance", *subject_.tolerance}, {"flat", flat_area_.text()}});
     }
     return event;
   }
@@ -212,7 +212,7 @@ class Story {
   Event say(const Looked& l) const {
     const Way way = way_of(l);
     // The listing takes an edge that passes in and out for one outside
-    const bool skipped = way == Way::outside && run_of({l.from, l.to}, scene_.circle).inside;
+    const bool skipped = way == Way::outside && run_of({l.from, l.to}, subject_.circle).inside;
     const auto side = [&](bool inside) { return words_.say(inside ? "inside" : "outside"); };
     return {.text = texts_of(skipped ? Way::both : way).looked,
             .facts = {{"edge", count(l.edge)},
@@ -240,7 +240,7 @@ class Story {
   void draw(const Joined<double>& j) {
     clear_result();
     add_right();  // behind what comes out
-    const std::vector<dvec2> ring = scene_.panel.at(j.corners);
+    const std::vector<dvec2> ring = subject_.panel.at(j.corners);
     if (ring.size() > 2) view_.add({"h area", Role::result, Area{{ring}}});
     if (ring.size() > 1) view_.add({"h line", Role::result, Path{ring, true}});
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -248,10 +248,10 @@ class Story {
     }
   }
   Event say(const Joined<double>& j) const {
-    const Covered area = area_of({j.corners}, scene_.circle);
+    const Covered area = area_of({j.corners}, subject_.circle);
     return {.text = "joined",
             .facts = {{"corners", count(j.corners.size())}, {"area", area.field()}},
-            .words = {{"area", area.text()}, {"right", scene_.right.text()}},
+            .words = {{"area", area.text()}, {"right", subject_.right.text()}},
             .phase = words_.shared("words", "result"),
             .level = Level::idea};
   }
@@ -289,10 +289,10 @@ class Story {
 
   /// corners: none where the polygon has no area; then it is drawn as it was given.
   void add_input(const std::vector<dvec2>& corners) {
-    const Panel& panel = scene_.panel;
-    view_.add({"a circle", Role::boundary, Path{panel.at(circle_drawing::whole(scene_.circle)), true}});
+    const Panel& panel = subject_.panel;
+    view_.add({"a circle", Role::boundary, Path{panel.at(circle_drawing::whole(subject_.circle)), true}});
     add_axes(view_, panel, "plane", {words_.symbol("x"), words_.symbol("y")});
-    const std::vector<dvec2>& drawn = corners.empty() ? scene_.polygon : corners;
+    const std::vector<dvec2>& drawn = corners.empty() ? subject_.polygon : corners;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const dvec2 a = drawn[i], b = drawn[(i + 1) % drawn.size()];
       circle_drawing::add_stroke(view_, panel, fmt::format("b edge {:03}", i), Role::input, a, b);
@@ -307,8 +307,8 @@ class Story {
   /// A place for an edge's number: outside the polygon, near the edge's middle and off the circle.
   dvec2 beside(dvec2 from, dvec2 to) const {
     const dvec2 along = from == to ? dvec2{1, 0} : glm::normalize(to - from),
-                centre = scene_.panel.at(scene_.circle.centre);
-    const double radius = scene_.circle.radius * scene_.panel.scale().x;
+                centre = subject_.panel.at(subject_.circle.centre);
+    const double radius = subject_.circle.radius * subject_.panel.scale().x;
     dvec2 best = (from + to) * 0.5;
     double most = -1;
     for (const double t : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9}) {
@@ -324,7 +324,7 @@ class Story {
 
   void follow_edge(std::size_t i, const Segment<2, double>& edge) {
     calm();
-    circle_drawing::add_stroke(view_, scene_.panel, "e edge", Role::current, edge.a, edge.b, true);
+    circle_drawing::add_stroke(view_, subject_.panel, "e edge", Role::current, edge.a, edge.b, true);
     recolor(fmt::format("c edge {:03}", i), Role::current);
   }
   /// What the last step pointed at stays, less loud.
@@ -336,7 +336,7 @@ class Story {
   }
   /// A dot where the boundary enters, a ring where it leaves.
   void add_crossing(dvec2 at, std::size_t number, std::string_view key, bool leaves) {
-    circle_drawing::add_point(view_, scene_.panel, fmt::format("g {:03}", number),
+    circle_drawing::add_point(view_, subject_.panel, fmt::format("g {:03}", number),
                               leaves ? Role::past : Role::candidate, at,
                               words_.say(key, {{"number", number}}), leaves);
   }
@@ -361,19 +361,19 @@ class Story {
   }
   static bool is_arc(const Bent& b) { return b.from != b.to || b.more_than_half; }
   void add_arc(const Bent& b) {
-    const Unit unit = unit_of(scene_.circle.radius);
-    const dvec2 from = seen_from(scene_.circle.centre, b.from, unit) / unit.radius;
-    const dvec2 to = seen_from(scene_.circle.centre, b.to, unit) / unit.radius;
+    const Unit unit = unit_of(subject_.circle.radius);
+    const dvec2 from = seen_from(subject_.circle.centre, b.from, unit) / unit.radius;
+    const dvec2 to = seen_from(subject_.circle.centre, b.to, unit) / unit.radius;
     const std::vector<dvec2> points =
-        circle_drawing::arc(scene_.circle, atan2(from.y, from.x), sweep(from, to, b.more_than_half));
+        circle_drawing::arc(subject_.circle, atan2(from.y, from.x), sweep(from, to, b.more_than_half));
     chain_.insert(chain_.end(), points.begin() + 1, points.end());
     chain_.back() = b.to;
-    view_.add({"e now", Role::current, Path{scene_.panel.at(points)}});
+    view_.add({"e now", Role::current, Path{subject_.panel.at(points)}});
     unrolled_.add_arc(view_, "e now order", b.exit, b.entry);
   }
   void show_chain(dvec2 here) {
-    if (chain_.size() > 1) view_.add({"e chain", Role::accepted, Path{scene_.panel.at(chain_)}});
-    view_.add({"e here", Role::accepted, Dot{scene_.panel.at(here)}});
+    if (chain_.size() > 1) view_.add({"e chain", Role::accepted, Path{subject_.panel.at(chain_)}});
+    view_.add({"e here", Role::accepted, Dot{subject_.panel.at(here)}});
   }
   void clear_result() {
     calm();
@@ -381,7 +381,7 @@ class Story {
   }
   void add_rings(const Region<double>& region) {
     for (std::size_t i = 0; i < region.rings.size(); ++i) {
-      const std::vector<dvec2> points = scene_.panel.at(chain_of(region.rings[i], scene_.circle));
+      const std::vector<dvec2> points = subject_.panel.at(chain_of(region.rings[i], subject_.circle));
       const std::string id = fmt::format("h piece {:03}", i);
       view_.add({id, Role::result, Area{{points}}});
       view_.add({id + " line", Role::result, Path{points, true}});
@@ -389,28 +389,28 @@ class Story {
   }
   /// Chords for the arcs, and corners as far as they can be told apart.
   void add_flat(const Region<double>& region) {
-    const auto flat = flatten(region, *scene_.tolerance);
+    const auto flat = flatten(region, *subject_.tolerance);
     for (const auto& polygon : flat) {
       flat_corners_ += polygon.size();
       const std::string id = fmt::format("i flat {}", flat_corners_);
-      view_.add({id, Role::measure, Path{scene_.panel.at(polygon), true}});
+      view_.add({id, Role::measure, Path{subject_.panel.at(polygon), true}});
       if (flat_corners_ > 200) continue;
       for (std::size_t k = 0; k < polygon.size(); ++k) {
-        view_.add({fmt::format("{} {:03}", id, k), Role::measure, Dot{scene_.panel.at(polygon[k])}});
+        view_.add({fmt::format("{} {:03}", id, k), Role::measure, Dot{subject_.panel.at(polygon[k])}});
       }
     }
-    flat_area_ = area_of(flat, scene_.circle);
+    flat_area_ = area_of(flat, subject_.circle);
   }
   void add_right() {
-    const Region<double> right = arcs(scene_.polygon, scene_.circle);
+    const Region<double> right = arcs(subject_.polygon, subject_.circle);
     for (std::size_t i = 0; i < right.rings.size(); ++i) {
       view_.add({fmt::format("f right {:03}", i), Role::measure,
-                 Path{scene_.panel.at(chain_of(right.rings[i], scene_.circle)), true, true}});
+                 Path{subject_.panel.at(chain_of(right.rings[i], subject_.circle)), true, true}});
     }
   }
 
   const Words& words_;
-  const Scene& scene_;
+  const Subject& subject_;
   View view_;
   std::vector<dvec2> chain_;  ///< the piece so far
   UnrolledCircle unrolled_;   ///< from the step on that orders the crossings
@@ -421,7 +421,7 @@ class Story {
 
 // --- The methods
 
-Scene scene_of(const Arguments& arguments) {
+Subject subject_of(const Arguments& arguments) {
   const std::vector<dvec2> polygon = arguments.points("polygon");
   const Disc circle = circle_drawing::circle_in(arguments);
   const std::optional<double> tolerance = arguments.number("tolerance");
@@ -434,43 +434,43 @@ Scene scene_of(const Arguments& arguments) {
            meeting->second + 1);
   }
   const Panel panel = tight_panel({{3, 7}, {width - 2, height - 1.5}}, world_of(polygon, circle));
-  const Scene scene{polygon, circle, tolerance, panel, area_of(arcs(std::span(polygon), circle))};
+  const Subject subject{polygon, circle, tolerance, panel, area_of(arcs(std::span(polygon), circle))};
   require_scale(panel, arguments, {"circle"});
-  return scene;
+  return subject;
 }
 
-void set_up(Narrator& narrator, const Scene& scene) {
+void set_up(Narrator& narrator, const Subject& subject) {
   narrator.paper(width, height);
-  narrator.subtitle(
-      "subtitle",
-      {{"corners", scene.polygon.size()}, {"centre", scene.circle.centre}, {"radius", scene.circle.radius}});
+  narrator.subtitle("subtitle", {{"corners", subject.polygon.size()},
+                                 {"centre", subject.circle.centre},
+                                 {"radius", subject.circle.radius}});
   narrator.legend({Role::boundary, Role::input, Role::current, Role::candidate, Role::past, Role::accepted,
                    Role::result});
   narrator.key_by_type();
-  circle_drawing::let_drag(narrator, "polygon", scene.circle, scene.panel, false);
+  circle_drawing::let_drag(narrator, "polygon", subject.circle, subject.panel, false);
 }
 
 void tell_arcs(Narrator& narrator) {
-  const Scene scene = scene_of(narrator.arguments());
-  set_up(narrator, scene);
-  if (scene.tolerance) narrator.add_to_legend(Role::measure, "chords");
-  Story story(narrator.words(), scene);
-  const auto region = arcs(std::span(scene.polygon), scene.circle, narrator.watcher(story));
+  const Subject subject = subject_of(narrator.arguments());
+  set_up(narrator, subject);
+  if (subject.tolerance) narrator.add_to_legend(Role::measure, "chords");
+  Story story(narrator.words(), subject);
+  const auto region = arcs(std::span(subject.polygon), subject.circle, narrator.watcher(story));
   // The first arc
   const auto& steps = narrator.trace().steps;
   const auto bent = std::ranges::find(steps, "Bent", &TraceStep::type);
   if (bent != steps.end()) narrator.telling(bent->number);
-  narrator.result({{"area", scene.right.field()}, {"pieces", count(region.rings.size())}});
+  narrator.result({{"area", subject.right.field()}, {"pieces", count(region.rings.size())}});
 }
 
 void tell_first_crossing(Narrator& narrator) {
-  const Scene scene = scene_of(narrator.arguments());
-  set_up(narrator, scene);
+  const Subject subject = subject_of(narrator.arguments());
+  set_up(narrator, subject);
   narrator.add_to_legend(Role::measure, "right");
   narrator.columns({{"edge"}, {"from", false}, {"to", false}, {"kept", false}});
-  Story story(narrator.words(), scene);
-  first_crossing(std::span(scene.polygon), scene.circle, narrator.watcher(story));
-  narrator.result({{"area", scene.right.field()}});
+  Story story(narrator.words(), subject);
+  first_crossing(std::span(subject.polygon), subject.circle, narrator.watcher(story));
+  narrator.result({{"area", subject.right.field()}});
 }
 
 }  // namespace

@@ -82,22 +82,22 @@ struct Takes {
   bool holes = false, oblique_windows = false;
 };
 
-Given given_of(const Arguments& arguments, Takes takes) {
-  Given given{.rings = {arguments.points("polygon")}};
+Subject subject_of(const Arguments& arguments, Takes takes) {
+  Subject subject{.rings = {arguments.points("polygon")}};
   for (Points& hole : arguments.rings("hole")) {
     if (!takes.holes) refuse("hole", "holes are cut by --method separate_pieces alone");
-    given.rings.push_back(std::move(hole));
+    subject.rings.push_back(std::move(hole));
   }
   if (const Points points = arguments.points("window_polygon"); !points.empty()) {
     if (!takes.oblique_windows) refuse("window_polygon", "this method clips at rectangles alone");
-    given.oblique = convex_window(points);
-    if (!given.oblique)
+    subject.oblique = convex_window(points);
+    if (!subject.oblique)
       refuse("window_polygon", "corners of a convex window with an area expected, in order");
-    given.order = order_of(arguments, *given.oblique);
-    return given;
+    subject.order = order_of(arguments, *subject.oblique);
+    return subject;
   }
   const std::vector<double> bounds = arguments.numbers("window");
-  given.rectangle = {{bounds[0], bounds[1]}, {bounds[2], bounds[3]}};
+  subject.rectangle = {{bounds[0], bounds[1]}, {bounds[2], bounds[3]}};
   if (arguments.numbered_order("order")) {
     refuse(
         "order",
@@ -105,8 +105,8 @@ Given given_of(const Arguments& arguments, Takes takes) {
         "--window-polygon",
         arguments.text("order"));
   }
-  for (const std::size_t border : arguments.order("order")) given.order.push_back(static_cast<int>(border));
-  return given;
+  for (const std::size_t border : arguments.order("order")) subject.order.push_back(static_cast<int>(border));
+  return subject;
 }
 
 /// Corners in clip space, as they were given.
@@ -146,17 +146,17 @@ struct Numbers {
   void operator()(NumericStep<T>&, const BorderPassed<T>&) const {}
 };
 
-void set_up(Narrator& narrator, const Given& given) {
-  const Panel panel = panel_of(given);
+void set_up(Narrator& narrator, const Subject& subject) {
+  const Panel panel = panel_of(subject);
   require_scale(panel, narrator.arguments(), {"polygon", "window", "window_polygon"});
-  for (const std::string_view drawn : {"polygon", "hole", given.oblique ? "window_polygon" : "window"})
+  for (const std::string_view drawn : {"polygon", "hole", subject.oblique ? "window_polygon" : "window"})
     narrator.handles(drawn, shown_in(panel));
   narrator.paper(plane_width, plane_height);
-  narrator.subtitle("subtitle", {{"corners", given.outline().size()}, {"borders", given.order.size()}});
+  narrator.subtitle("subtitle", {{"corners", subject.outline().size()}, {"borders", subject.order.size()}});
   narrator.legend({Role::boundary, Role::past, Role::accepted, Role::measure, Role::current, Role::rejected,
                    Role::result, Role::candidate});
   narrator.key_by_type();
-  if (!given.oblique) return;
+  if (!subject.oblique) return;
   // An order of borders that it hasn't got
   std::erase_if(narrator.trace().arguments, [&](const Argument& a) {
     return a.name == "order" && a.value == order_parameter().default_value;
@@ -165,8 +165,8 @@ void set_up(Narrator& narrator, const Given& given) {
 
 /// Runs `clip` at the window that was given, of whichever kind.
 template <class Clip>
-void at_window(const Given& given, Clip clip) {
-  given.oblique ? clip(*given.oblique) : clip(given.rectangle);
+void at_window(const Subject& subject, Clip clip) {
+  subject.oblique ? clip(*subject.oblique) : clip(subject.rectangle);
 }
 
 /// The first edge that is cut at another border than the first one: what an earlier border took off is seen.
@@ -190,46 +190,47 @@ std::vector<Field> corners_of(std::span<const Vertex<double>> polygon) {
 }
 
 void tell_border_by_border(Narrator& narrator) {
-  const Given given = given_of(narrator.arguments(), {.oblique_windows = true});
-  set_up(narrator, given);
-  BorderStory story(narrator.words(), given, std::nullopt);
+  const Subject subject = subject_of(narrator.arguments(), {.oblique_windows = true});
+  set_up(narrator, subject);
+  BorderStory story(narrator.words(), subject, std::nullopt);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  at_window(given, [&](const auto& window) {
-    const auto polygon = clip_to_window(given.outline(), window, given.order, watch);
+  at_window(subject, [&](const auto& window) {
+    const auto polygon = clip_to_window(subject.outline(), window, subject.order, watch);
     story.add_result(polygon);
     narrator.result(corners_of(polygon));
-    bridges(polygon, given.outline(), window, [&](const auto& bridge) { watch(bridge, 0); });
+    bridges(polygon, subject.outline(), window, [&](const auto& bridge) { watch(bridge, 0); });
   });
   show_second_border(narrator);
   watch(steps::Finished{}, 0);
 }
 
 void tell_separate_pieces(Narrator& narrator) {
-  const Given given = given_of(narrator.arguments(), {.holes = true, .oblique_windows = true});
-  set_up(narrator, given);
+  const Subject subject = subject_of(narrator.arguments(), {.holes = true, .oblique_windows = true});
+  set_up(narrator, subject);
   narrator.columns({{"border", false}, {"out"}, {"in"}, {"rings"}});
-  PiecesStory story(narrator.words(), given);
+  PiecesStory story(narrator.words(), subject);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  at_window(given, [&](const auto& window) { separate_pieces(given.rings, window, given.order, watch); });
+  at_window(subject,
+            [&](const auto& window) { separate_pieces(subject.rings, window, subject.order, watch); });
   watch(steps::Finished{}, 0);
 }
 
-/// The textbook's loop and the notes' listings, in plain arithmetic. clip: of a task.
+/// The textbook's loop and the notes' listings, in plain arithmetic. clip: of a Task.
 template <auto clip>
 void tell_plain(Narrator& narrator) {
-  const Given given = given_of(narrator.arguments(), {});
-  set_up(narrator, given);
+  const Subject subject = subject_of(narrator.arguments(), {});
+  set_up(narrator, subject);
   std::optional<double> right;
   if (narrator.method().standing == Standing::faulty) {
-    const auto polygon = clip_to_window(given.outline(), given.rectangle);
+    const auto polygon = clip_to_window(subject.outline(), subject.rectangle);
     right = std::abs(area_of(places(polygon)));
   }
-  BorderStory story(narrator.words(), given, right);
+  BorderStory story(narrator.words(), subject, right);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  story.add_result(clip(Task<double>{given.outline(), given.rectangle, given.order}, watch));
+  story.add_result(clip(Task<double>{subject.outline(), subject.rectangle, subject.order}, watch));
   watch(steps::Finished{}, 0);
 }
 
@@ -243,11 +244,11 @@ void tell_passes(Narrator& narrator) {
 
 void tell_cut_of_a_cut(Narrator& narrator) {
   tell_passes<[](auto... at) { return cut_of_a_cut(at...); }>(narrator);
-  const auto run = [given = given_of(narrator.arguments(), {})]<class T>(T, const auto& observer) {
+  const auto run = [subject = subject_of(narrator.arguments(), {})]<class T>(T, const auto& observer) {
     std::vector<glm::vec<2, T>> corners;
-    for (const dvec2 p : given.outline()) corners.push_back(in_scalar<T>(p));
-    const Rectangle<T> window = in_scalar<T>(given.rectangle);
-    by_passes(Task<T>{corners, window, given.order},
+    for (const dvec2 p : subject.outline()) corners.push_back(in_scalar<T>(p));
+    const Rectangle<T> window = in_scalar<T>(subject.rectangle);
+    by_passes(Task<T>{corners, window, subject.order},
               [&](auto rest, auto border) { return cut_of_a_cut(rest, border, observer); });
   };
   tell_side_by_side<Numbers>(narrator, run);

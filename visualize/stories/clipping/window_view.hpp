@@ -55,9 +55,9 @@ inline void add_break(View& view, const std::string& id, Role role, dvec2 at, dv
 }
 
 /// The plane in a part of the paper.
-class Scene {
+class DrawnPlane {
  public:
-  Scene(const Line& line, const Rectangle& window, Extent place)
+  DrawnPlane(const Line& line, const Rectangle& window, Extent place)
       : panel_(tight_panel(place, world_of(line, window))), window_(window) {
     const Extent shown = panel_.shown();
     shown_ = {shown.lower, shown.upper};
@@ -151,8 +151,8 @@ class Scene {
 };
 
 /// What of the plane can be dragged: the segment's ends and the window's corners.
-inline void let_drag(Narrator& narrator, const Scene& scene) {
-  for (const std::string_view drawn : {"line", "window"}) narrator.handles(drawn, shown_in(scene.panel()));
+inline void let_drag(Narrator& narrator, const DrawnPlane& plane) {
+  for (const std::string_view drawn : {"line", "window"}) narrator.handles(drawn, shown_in(plane.panel()));
 }
 
 /// How many doubles one is from the other: they have the order of their bits, those below 0 the reverse.

@@ -30,9 +30,9 @@ Subject subject_of(const Arguments& arguments) {
 }
 
 /// What both stories draw: the polygon that was given, and the curve that its rounds tend to.
-class Scene {
+class CurveDrawing {
  public:
-  explicit Scene(const Subject& subject) : subject_(subject), panel_(place, {}) {
+  explicit CurveDrawing(const Subject& subject) : subject_(subject), panel_(place, {}) {
     Extent extent;
     for (const dvec2 p : subject.polygon) extent.add(p);
     panel_ = Panel(place, extent);
@@ -73,8 +73,8 @@ class Scene {
 
 class CutStory : public Past<steps::Started, EdgeCut<double>, RoundDone, Finished> {
  public:
-  CutStory(const Words& words, const Subject& subject, const Scene& scene)
-      : words_(words), subject_(subject), scene_(scene) {}
+  CutStory(const Words& words, const Subject& subject, const CurveDrawing& drawing)
+      : words_(words), subject_(subject), drawing_(drawing) {}
 
   Event say(const steps::Started&) const {
     return {.text = subject_.closed() ? "started.closed" : "started.open",
@@ -106,14 +106,14 @@ class CutStory : public Past<steps::Started, EdgeCut<double>, RoundDone, Finishe
 
   View draw() const {
     View view;
-    scene_.add_polygon(view);
+    drawing_.add_polygon(view);
     const int round = static_cast<int>(all<RoundDone>().size());
     const EdgeCut<double>* edge = now<EdgeCut<double>>();
     const bool ended = now<Finished>() || now<RoundDone>();
     if (round > 0 || ended)
-      view.add(
-          {"c points", ended ? Role::result : Role::past, scene_.path(points_of(round), subject_.closed())});
-    if (now<Finished>()) scene_.add_limit(view, Role::measure, scene_.arcs());
+      view.add({"c points", ended ? Role::result : Role::past,
+                drawing_.path(points_of(round), subject_.closed())});
+    if (now<Finished>()) drawing_.add_limit(view, Role::measure, drawing_.arcs());
     if (!edge) return view;
     Polygon so_far;
     for (const EdgeCut<double>& e : all<EdgeCut<double>>()) {
@@ -121,11 +121,11 @@ class CutStory : public Past<steps::Started, EdgeCut<double>, RoundDone, Finishe
       so_far.push_back(e.q);
       so_far.push_back(e.r);
     }
-    view.add({"d so far", Role::result, scene_.path(so_far, false)});
-    view.add(
-        {"e edge", Role::current, Stroke{scene_.at(edge->whole.a), scene_.at(edge->whole.b), false, true}});
-    view.add_named("f q", Role::current, scene_.at(edge->q), words_.symbol("Q"));
-    view.add_named("f r", Role::current, scene_.at(edge->r), words_.symbol("R"));
+    view.add({"d so far", Role::result, drawing_.path(so_far, false)});
+    view.add({"e edge", Role::current,
+              Stroke{drawing_.at(edge->whole.a), drawing_.at(edge->whole.b), false, true}});
+    view.add_named("f q", Role::current, drawing_.at(edge->q), words_.symbol("Q"));
+    view.add_named("f r", Role::current, drawing_.at(edge->r), words_.symbol("R"));
     return view;
   }
 
@@ -136,68 +136,69 @@ class CutStory : public Past<steps::Started, EdgeCut<double>, RoundDone, Finishe
 
   const Words& words_;
   const Subject& subject_;
-  const Scene& scene_;
+  const CurveDrawing& drawing_;
 };
 
 // --- The limit
 
 class LimitStory : public Past<steps::Started, ArcFound<double>, Finished> {
  public:
-  explicit LimitStory(const Scene& scene) : scene_(scene) {}
+  explicit LimitStory(const CurveDrawing& drawing) : drawing_(drawing) {}
 
   Event say(const steps::Started&) const {
-    return {.text = "limit.started", .count = static_cast<std::int64_t>(scene_.arcs())};
+    return {.text = "limit.started", .count = static_cast<std::int64_t>(drawing_.arcs())};
   }
   Event say(const ArcFound<double>& a) const {
     const auto& [from, control, to] = a.arc;
-    return {.text = "arc_found",
-            .facts = {{"corner", static_cast<std::int64_t>(a.corner)}},
-            .words = {{"name", Scene::name(a.corner)}, {"from", from}, {"to", to}, {"top", a.arc.at(0.5)}},
-            .row = {Scene::name(a.corner), figure_place(from), figure_place(control), figure_place(to)},
-            .key = Scene::name(a.corner)};
+    return {
+        .text = "arc_found",
+        .facts = {{"corner", static_cast<std::int64_t>(a.corner)}},
+        .words = {{"name", CurveDrawing::name(a.corner)}, {"from", from}, {"to", to}, {"top", a.arc.at(0.5)}},
+        .row = {CurveDrawing::name(a.corner), figure_place(from), figure_place(control), figure_place(to)},
+        .key = CurveDrawing::name(a.corner)};
   }
   Event say(const Finished& f) const { return {.text = "limit.finished", .count = f.points}; }
 
   View draw() const {
     View view;
-    scene_.add_polygon(view);
+    drawing_.add_polygon(view);
     const std::size_t count = all<ArcFound<double>>().size();
     const auto* found = now<ArcFound<double>>();
-    scene_.add_limit(view, Role::result, count);
+    drawing_.add_limit(view, Role::result, count);
     if (!found) return view;
     const auto& [from, control, to] = found->arc;
-    view.add({"e legs", Role::current, scene_.path({from, control, to}, false, true)});
-    view.add({"f from", Role::current, Dot{scene_.at(from)}});
-    view.add({"f to", Role::current, Dot{scene_.at(to)}});
-    view.add({"f top", Role::measure, Dot{scene_.at(found->arc.at(0.5))}});
+    view.add({"e legs", Role::current, drawing_.path({from, control, to}, false, true)});
+    view.add({"f from", Role::current, Dot{drawing_.at(from)}});
+    view.add({"f to", Role::current, Dot{drawing_.at(to)}});
+    view.add({"f top", Role::measure, Dot{drawing_.at(found->arc.at(0.5))}});
     return view;
   }
 
  private:
-  const Scene& scene_;
+  const CurveDrawing& drawing_;
 };
 
 // --- The methods
 
-void set_up(Narrator& narrator, const Subject& subject, const Scene& scene) {
-  require_scale(scene.panel(), narrator.arguments(), {"polygon"});
+void set_up(Narrator& narrator, const Subject& subject, const CurveDrawing& drawing) {
+  require_scale(drawing.panel(), narrator.arguments(), {"polygon"});
   narrator.paper(paper_width, paper_height);
   narrator.subtitle(subject.closed() ? "subtitle.closed" : "subtitle.open",
                     {{"corners", subject.polygon.size()}});
-  narrator.handles("polygon", shown_in(scene.panel()));
+  narrator.handles("polygon", shown_in(drawing.panel()));
 }
 
 void tell_chaikin(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
-  const Scene scene(subject);
-  set_up(narrator, subject, scene);
+  const CurveDrawing drawing(subject);
+  set_up(narrator, subject, drawing);
   narrator.columns({{"round"}, {"edge"}, {"Q"}, {"R"}});
   narrator.legend({{Role::input, "polygon"},
                    {Role::current, "edge"},
                    {Role::past, "before"},
                    {Role::result, "cut"},
                    {Role::measure, "limit"}});
-  CutStory story(narrator.words(), subject, scene);
+  CutStory story(narrator.words(), subject, drawing);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   const Polygon points = chaikin<double>(subject.polygon, subject.rounds, subject.ends, watch);
@@ -206,16 +207,16 @@ void tell_chaikin(Narrator& narrator) {
 
 void tell_limit(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
-  const Scene scene(subject);
-  set_up(narrator, subject, scene);
+  const CurveDrawing drawing(subject);
+  set_up(narrator, subject, drawing);
   narrator.columns({{"corner", false}, {"from"}, {"control"}, {"to"}});
   narrator.legend(
       {{Role::input, "polygon"}, {Role::current, "legs"}, {Role::measure, "top"}, {Role::result, "arcs"}});
-  LimitStory story(scene);
+  LimitStory story(drawing);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   limit<double>(subject.polygon, subject.ends, [](const auto&) {}, watch);
-  narrator.result({{"arcs", static_cast<std::int64_t>(scene.arcs())}});
+  narrator.result({{"arcs", static_cast<std::int64_t>(drawing.arcs())}});
 }
 
 }  // namespace

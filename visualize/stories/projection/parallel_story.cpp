@@ -20,7 +20,7 @@ using solids::vector_of;
 using Images = solids::Scenery::Images;
 
 /// What is projected, how, and in which words.
-struct Task {
+struct Subject {
   solids::Solid solid;
   double d = 0;
   Axis axis = Axis::z;
@@ -41,25 +41,25 @@ std::string factor(double value) { return figure_factor(real(value)); }
 
 class Story {
  public:
-  Story(const Words& words, const Task& task, const Images& images)
-      : task_(task),
+  Story(const Words& words, const Subject& subject, const Images& images)
+      : subject_(subject),
         progress_({words.wording(),
-                   task.solid,
-                   task.sheet,
-                   facing_along(task.solid, task.shown),
+                   subject.solid,
+                   subject.sheet,
+                   facing_along(subject.solid, subject.shown),
                    {},
                    images,
-                   task.right}) {}
+                   subject.right}) {}
 
   void turn_to(std::size_t corner) { progress_.turn_to(corner); }
   const solids::Scenery& scenery() const { return progress_.scenery(); }
 
   void show(Board& board, const steps::Started&) { board.milestone(progress_.drawing(false)); }
   Event say(const steps::Started&) const {
-    return {.text = task_.started,
-            .words = {{"d", real(task_.d)},
-                      {"normal", place_text(task_.plane.normal)},
-                      {"direction", place_text(task_.direction)}},
+    return {.text = subject_.started,
+            .words = {{"d", real(subject_.d)},
+                      {"normal", place_text(subject_.plane.normal)},
+                      {"direction", place_text(subject_.direction)}},
             .level = Level::idea};
   }
 
@@ -68,14 +68,14 @@ class Story {
     board.detail(progress_.with_corner());
   }
   Event say(const Cast<double>& c) const {
-    const dvec3 n = task_.plane.normal;
-    return {.text = task_.cast,
+    const dvec3 n = subject_.plane.normal;
+    return {.text = subject_.cast,
             .facts = {{"corner", progress_.number()}, {"t", c.t}},
-            .words = {{"d", real(task_.d)},
-                      {"coordinate", factor(c.point[static_cast<int>(task_.axis)])},
-                      {"offset", real(task_.plane.offset)},
+            .words = {{"d", real(subject_.d)},
+                      {"coordinate", factor(c.point[static_cast<int>(subject_.axis)])},
+                      {"offset", real(subject_.plane.offset)},
                       {"product", factor(glm::dot(n, c.point))},
-                      {"slope", factor(glm::dot(n, task_.direction))},
+                      {"slope", factor(glm::dot(n, subject_.direction))},
                       {"t", real(c.t)}},
             .key = progress_.key()};
   }
@@ -85,20 +85,20 @@ class Story {
     board.milestone(progress_.with_corner());
   }
   Event say(const Projected<double>& p) const {
-    const dvec3 right = task_.right.empty() ? p.image : task_.right[progress_.corner()];
-    const std::string image = task_.all_digits ? full_place_text(p.image) : place_text(p.image);
-    return {.text = task_.projected,
+    const dvec3 right = subject_.right.empty() ? p.image : subject_.right[progress_.corner()];
+    const std::string image = subject_.all_digits ? full_place_text(p.image) : place_text(p.image);
+    return {.text = subject_.projected,
             .facts = {{"corner", progress_.number()}, {"x", p.image.x}, {"y", p.image.y}, {"z", p.image.z}},
-            .words = {{"d", real(task_.d)},
+            .words = {{"d", real(subject_.d)},
                       {"x", real(p.point.x)},
                       {"y", real(p.point.y)},
                       {"t", factor(t_)},
-                      {"a", factor(task_.slant.a)},
-                      {"b", factor(task_.slant.b)},
+                      {"a", factor(subject_.slant.a)},
+                      {"b", factor(subject_.slant.b)},
                       {"image_x", real(p.image.x)},
                       {"image_y", real(p.image.y)},
                       {"point", full_place_text(p.point)},
-                      {"direction", full_place_text(task_.direction)},
+                      {"direction", full_place_text(subject_.direction)},
                       {"image", image},
                       {"right", place_text(right)}},
             .row = {progress_.number(), place_text(p.point), real(t_), place_text(p.image)},
@@ -106,60 +106,61 @@ class Story {
   }
 
   void show(Board& board, const steps::Finished&) {
-    if (task_.right.empty()) return board.milestone(progress_.picture());
+    if (subject_.right.empty()) return board.milestone(progress_.picture());
     View view = progress_.drawing(true);
     add_right_picture(view);
     board.milestone(std::move(view));
   }
   Event say(const steps::Finished&) const {
-    return {.text = task_.done,
-            .words = {{"length", real(glm::length(dvec2{task_.slant.a, task_.slant.b}))},
+    return {.text = subject_.done,
+            .words = {{"length", real(glm::length(dvec2{subject_.slant.a, subject_.slant.b}))},
                       {"worst", real(largest_error())}}};
   }
 
   double largest_error() const {
     double largest = 0;
-    for (std::size_t i = 0; i < task_.right.size(); ++i) largest = std::max(largest, error(i));
+    for (std::size_t i = 0; i < subject_.right.size(); ++i) largest = std::max(largest, error(i));
     return largest;
   }
 
  private:
-  double error(std::size_t i) const { return glm::distance(task_.right[i], *progress_.images()[i]); }
+  double error(std::size_t i) const { return glm::distance(subject_.right[i], *progress_.images()[i]); }
 
   /// Beside the notes' picture, the one that its slant asks for, and how far a corner is off.
   void add_right_picture(View& view) const {
     const solids::Scenery& scenery = progress_.scenery();
-    const solids::Facing facing = facing_along(task_.solid, task_.direction);
-    for (std::size_t i = 0; i < task_.solid.edges.size(); ++i) {
-      const solids::Edge& edge = task_.solid.edges[i];
-      const dvec2 a = scenery.in_picture(task_.right[edge.a]), b = scenery.in_picture(task_.right[edge.b]);
+    const solids::Facing facing = facing_along(subject_.solid, subject_.direction);
+    for (std::size_t i = 0; i < subject_.solid.edges.size(); ++i) {
+      const solids::Edge& edge = subject_.solid.edges[i];
+      const dvec2 a = scenery.in_picture(subject_.right[edge.a]),
+                  b = scenery.in_picture(subject_.right[edge.b]);
       Stroke stroke{a, b, false, facing.hidden[i]};
       stroke.thin = stroke.dashed;
       view.add({fmt::format("d right {:02}", i), Role::accepted, stroke});
     }
     std::size_t worst = 0;
-    for (std::size_t i = 1; i < task_.right.size(); ++i) {
+    for (std::size_t i = 1; i < subject_.right.size(); ++i) {
       if (error(i) > error(worst) + 1e-9) worst = i;
     }
     const dvec2 from = scenery.in_picture(*progress_.images()[worst]);
-    view.add({"e off", Role::measure, Stroke{from, scenery.in_picture(task_.right[worst])}});
+    view.add({"e off", Role::measure, Stroke{from, scenery.in_picture(subject_.right[worst])}});
   }
 
-  const Task& task_;
+  const Subject& subject_;
   solids::Progress progress_;
   double t_ = 0;
 };
 
 // --- The arguments
 
-Task task_of(const Arguments& arguments) {
-  Task task;
-  task.d = *arguments.number("d");
-  task.cast = "cast.axis";
+Subject subject_of(const Arguments& arguments) {
+  Subject subject;
+  subject.d = *arguments.number("d");
+  subject.cast = "cast.axis";
   const std::vector<double> turn = arguments.numbers("turn");
   const solids::Solid solid = arguments.text("solid") == "box" ? solids::box() : solids::house();
-  task.solid = placed(solid, solids::turned_axes(turn[0], turn[1]), vector_of(arguments, "at"));
-  return task;
+  subject.solid = placed(solid, solids::turned_axes(turn[0], turn[1]), vector_of(arguments, "at"));
+  return subject;
 }
 
 /// The arguments' slant: from a direction if there is one, else from angle and foreshortening.
@@ -180,27 +181,27 @@ Slant<double> slant_in(const Arguments& arguments) {
 }
 
 /// Projectors that lean, onto z = d.
-Task leaning(const Arguments& arguments) {
-  Task task = task_of(arguments);
-  task.slant = slant_in(arguments);
-  task.sheet = {{0, 0, task.d}, {1, 0, 0}, {0, 1, 0}};
-  task.direction = task.shown = {task.slant.a, task.slant.b, 1};
-  return task;
+Subject leaning(const Arguments& arguments) {
+  Subject subject = subject_of(arguments);
+  subject.slant = slant_in(arguments);
+  subject.sheet = {{0, 0, subject.d}, {1, 0, 0}, {0, 1, 0}};
+  subject.direction = subject.shown = {subject.slant.a, subject.slant.b, 1};
+  return subject;
 }
 
 /// Projectors that stand upright on a plane across an axis.
-Task upright(const Arguments& arguments) {
-  Task task = task_of(arguments);
+Subject upright(const Arguments& arguments) {
+  Subject subject = subject_of(arguments);
   const std::string& view = arguments.text("from");
-  task.axis = view == "side" ? Axis::x : view == "top" ? Axis::y : Axis::z;
+  subject.axis = view == "side" ? Axis::x : view == "top" ? Axis::y : Axis::z;
   const dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const solids::Sheet sheets[] = {{dvec3(0), z, y}, {dvec3(0), x, z}, {dvec3(0), x, y}};
   const dvec3 directions[] = {{-1, 0, 0}, {0, -1, 0}, z};
-  const int axis = static_cast<int>(task.axis);
-  task.sheet = sheets[axis];
-  task.sheet.origin[axis] = task.d;
-  task.direction = task.shown = directions[axis];
-  return task;
+  const int axis = static_cast<int>(subject.axis);
+  subject.sheet = sheets[axis];
+  subject.sheet.origin[axis] = subject.d;
+  subject.direction = subject.shown = directions[axis];
+  return subject;
 }
 
 /// Any direction of the sheet as it stands upright for a viewer who looks along `forward`.
@@ -217,56 +218,56 @@ solids::Sheet sheet_of(dvec3 normal, double offset, dvec3 direction) {
 }
 
 /// Onto any plane.
-Task onto_plane(const Arguments& arguments) {
-  Task task = task_of(arguments);
+Subject onto_plane(const Arguments& arguments) {
+  Subject subject = subject_of(arguments);
   const std::vector<double> numbers = arguments.numbers("plane");
-  task.plane = {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
-  const dvec3 normal = task.plane.normal;
+  subject.plane = {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+  const dvec3 normal = subject.plane.normal;
   if (normal == dvec3{0}) refuse("plane", "expected a normal that is not 0,0,0");
   const bool upright = arguments.numbers("direction").empty();
   const dvec3 v = upright ? normal : vector_of(arguments, "direction");
-  if (!meets(task.plane, v)) {
+  if (!meets(subject.plane, v)) {
     refuse("direction", "expected a direction that meets the plane, not one parallel to it");
   }
   // The viewer looks forward, or else down
-  task.direction = task.shown = v.z < 0 || (v.z == 0 && v.y > 0) ? -v : v;
-  task.sheet = sheet_of(normal, task.plane.offset, task.direction);
-  return task;
+  subject.direction = subject.shown = v.z < 0 || (v.z == 0 && v.y > 0) ? -v : v;
+  subject.sheet = sheet_of(normal, subject.plane.offset, subject.direction);
+  return subject;
 }
 
 // --- The methods
 
 /// What of the scene can be dragged: the solid; and the plane, whose corners go where the images go.
-void let_drag(Narrator& narrator, const Task& task, const solids::Scenery& scenery) {
+void let_drag(Narrator& narrator, const Subject& subject, const solids::Scenery& scenery) {
   const dvec3 at = vector_of(narrator.arguments(), "at");
   narrator.handles("at", [&](dvec3 p) { return scenery.moved_in_space(at, p); });
-  const dvec3 corner = scenery.lower_corner(task.sheet), normal = task.plane.normal;
+  const dvec3 corner = scenery.lower_corner(subject.sheet), normal = subject.plane.normal;
   const bool any = normal != dvec3{0};
-  const double speed = any ? glm::dot(normal, task.shown) : task.shown[static_cast<int>(task.axis)];
-  const dvec2 along = scenery.in_space(corner + task.shown / speed) - scenery.in_space(corner);
+  const double speed = any ? glm::dot(normal, subject.shown) : subject.shown[static_cast<int>(subject.axis)];
+  const dvec2 along = scenery.in_space(corner + subject.shown / speed) - scenery.in_space(corner);
   narrator.handle(any ? "plane" : "d", any ? 3 : 0, scenery.in_space(corner), along);
   if (!any) return;
   narrator.handles("plane", [&](dvec3 n) {
-    const solids::Sheet sheet = sheet_of(n, task.plane.offset, task.direction);
+    const solids::Sheet sheet = sheet_of(n, subject.plane.offset, subject.direction);
     return scenery.in_space(scenery.upper_corner(sheet));
   });
 }
 
 /// project(point, observer...): where the method takes a point.
 template <class Project>
-void tell_corners(Narrator& narrator, const Task& task, const Project& project) {
+void tell_corners(Narrator& narrator, const Subject& subject, const Project& project) {
   narrator.trace().subtitle = narrator.words().say("subtitle." + narrator.arguments().text("solid"));
   narrator.paper(solids::paper_width, solids::paper_height);
   narrator.legend(
       {Role::input, Role::boundary, Role::result, {Role::accepted, "right"}, {Role::measure, "off"}});
   Images images;
-  for (const dvec3 p : task.solid.corners) images.push_back(project(p));
-  Story story(narrator.words(), task, images);
-  let_drag(narrator, task, story.scenery());
+  for (const dvec3 p : subject.solid.corners) images.push_back(project(p));
+  Story story(narrator.words(), subject, images);
+  let_drag(narrator, subject, story.scenery());
   narrator.tell_each(story, images.size(),
-                     [&](std::size_t i, const auto& watch) { project(task.solid.corners[i], watch); });
+                     [&](std::size_t i, const auto& watch) { project(subject.solid.corners[i], watch); });
   std::vector<Field> result{{"corners", std::ssize(images)}};
-  if (!task.right.empty()) result.push_back({"largest_error", story.largest_error(), "error"});
+  if (!subject.right.empty()) result.push_back({"largest_error", story.largest_error(), "error"});
   narrator.result(std::move(result));
 }
 
@@ -284,64 +285,64 @@ struct Numbers {
 
 /// The same, in other arithmetics too. The slant is the doubles' in all three.
 template <class Project>
-void tell_exact_corners(Narrator& narrator, const Task& task, const Project& project) {
-  tell_corners(narrator, task, project);
+void tell_exact_corners(Narrator& narrator, const Subject& subject, const Project& project) {
+  tell_corners(narrator, subject, project);
   tell_side_by_side<Numbers>(narrator,
-                             [corners = task.solid.corners, project]<class T>(T, const auto& observer) {
+                             [corners = subject.solid.corners, project]<class T>(T, const auto& observer) {
                                for (const dvec3 corner : corners) project(in_scalar<T>(corner), observer);
                              });
 }
 
 void tell_oblique(Narrator& narrator) {
-  Task task = leaning(narrator.arguments());
-  const double foreshortening = glm::length(dvec2{task.slant.a, task.slant.b});
+  Subject subject = leaning(narrator.arguments());
+  const double foreshortening = glm::length(dvec2{subject.slant.a, subject.slant.b});
   const bool cavalier = std::abs(foreshortening - 1) < 1e-9, cabinet = std::abs(foreshortening - 0.5) < 1e-9;
-  task.started = "started.oblique";
-  task.projected = "projected.oblique";
-  task.done = cavalier ? "done.cavalier" : cabinet ? "done.cabinet" : "done.oblique";
+  subject.started = "started.oblique";
+  subject.projected = "projected.oblique";
+  subject.done = cavalier ? "done.cavalier" : cabinet ? "done.cabinet" : "done.oblique";
   tell_exact_corners(
-      narrator, task,
-      [d = task.d, slant = task.slant]<class T>(const glm::vec<3, T>& point, const auto&... observer) {
+      narrator, subject,
+      [d = subject.d, slant = subject.slant]<class T>(const glm::vec<3, T>& point, const auto&... observer) {
         return oblique(T(d), Slant<T>{T(slant.a), T(slant.b)}, point, observer...);
       });
 }
 
 void tell_orthographic(Narrator& narrator) {
-  Task task = upright(narrator.arguments());
+  Subject subject = upright(narrator.arguments());
   constexpr std::string_view started[]{"started.side", "started.top", "started.front"};
   constexpr std::string_view projected[]{"projected.side", "projected.top", "projected.front"};
-  task.started = started[static_cast<int>(task.axis)];
-  task.projected = projected[static_cast<int>(task.axis)];
-  task.done = "done.orthographic";
+  subject.started = started[static_cast<int>(subject.axis)];
+  subject.projected = projected[static_cast<int>(subject.axis)];
+  subject.done = "done.orthographic";
   tell_exact_corners(
-      narrator, task,
-      [d = task.d, axis = task.axis]<class T>(const glm::vec<3, T>& point, const auto&... observer) {
+      narrator, subject,
+      [d = subject.d, axis = subject.axis]<class T>(const glm::vec<3, T>& point, const auto&... observer) {
         return orthographic(axis, T(d), point, observer...);
       });
 }
 
 void tell_along(Narrator& narrator) {
-  Task task = onto_plane(narrator.arguments());
-  task.started = "started.along";
-  task.cast = "cast.along";
-  task.projected = "projected.along";
-  task.all_digits = true;
-  task.done = "done.along";
-  tell_corners(narrator, task, [&task](dvec3 point, const auto&... observer) {
-    return along(task.plane, task.direction, point, observer...);
+  Subject subject = onto_plane(narrator.arguments());
+  subject.started = "started.along";
+  subject.cast = "cast.along";
+  subject.projected = "projected.along";
+  subject.all_digits = true;
+  subject.done = "done.along";
+  tell_corners(narrator, subject, [&subject](dvec3 point, const auto&... observer) {
+    return along(subject.plane, subject.direction, point, observer...);
   });
 }
 
 /// The notes' matrix looks straight ahead, for any direction.
 void tell_keep_x_and_y(Narrator& narrator) {
-  Task task = leaning(narrator.arguments());
-  task.shown = {0, 0, 1};
-  for (const dvec3 p : task.solid.corners) task.right.push_back(oblique(task.d, task.slant, p));
-  task.started = "started.keep_x_and_y";
-  task.projected = "projected.keep_x_and_y";
-  task.done = "done.keep_x_and_y";
-  tell_corners(narrator, task, [&task](dvec3 point, const auto&... observer) {
-    return keep_x_and_y(task.d, task.slant, point, observer...);
+  Subject subject = leaning(narrator.arguments());
+  subject.shown = {0, 0, 1};
+  for (const dvec3 p : subject.solid.corners) subject.right.push_back(oblique(subject.d, subject.slant, p));
+  subject.started = "started.keep_x_and_y";
+  subject.projected = "projected.keep_x_and_y";
+  subject.done = "done.keep_x_and_y";
+  tell_corners(narrator, subject, [&subject](dvec3 point, const auto&... observer) {
+    return keep_x_and_y(subject.d, subject.slant, point, observer...);
   });
 }
 

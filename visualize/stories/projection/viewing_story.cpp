@@ -45,12 +45,12 @@ class Story
     : public Past<Input, HintReplaced<double>, Aimed<double>, Levelled<double>, Framed<double>,
                   RowWritten<double>, ColumnWritten<double>, RowMultiplied, Inverted, Viewed<double>> {
  public:
-  Story(const Words& words, const Scene& scene, Way way)
+  Story(const Words& words, const Subject& subject, Way way)
       : words_(words),
-        scene_(scene),
+        subject_(subject),
         way_(way),
-        drawing_(scene, words),
-        frame_(scene.frame()),
+        drawing_(subject, words),
+        frame_(subject.frame()),
         backward_(words.notation().looks_backward() && !faulty() && way != Way::any_frame),
         right_(world_to_view(frame_)),
         wrong_(way == Way::minus_position ? minus_position(frame_) : transposed(frame_)) {}
@@ -70,7 +70,7 @@ class Story
               .begins = true};
     }
     return {.text = "input",
-            .words = {{"eye", scene_.eye}, {"target", scene_.target}, {"up", scene_.up}},
+            .words = {{"eye", subject_.eye}, {"target", subject_.target}, {"up", subject_.up}},
             .key = "eye",
             .begins = true};
   }
@@ -83,10 +83,10 @@ class Story
   Event say(const Aimed<double>& a) const {
     Event event = of_frame("aimed", "forward", a.forward,
                            {{"along", a.target - a.eye},
-                            {"distance", scene_.distance},
+                            {"distance", subject_.distance},
                             {"f", direction(2)},
                             {"forward", neat(a.forward, 1)}});
-    if (scene_.along == Along::replaced && !last<HintReplaced<double>>())
+    if (subject_.along == Along::replaced && !last<HintReplaced<double>>())
       event.decides = hint_along_the_view(false);
     return event;
   }
@@ -109,13 +109,13 @@ class Story
   Event say(const RowWritten<double>& r) const {
     const dvec3 axis = in_notation(r.row, neat(r.axis, 1));
     // The sum of the products as they are shown
-    const double along = neat(-glm::dot(axis, scene_.eye), largest_product(axis, scene_.eye));
+    const double along = neat(-glm::dot(axis, subject_.eye), largest_product(axis, subject_.eye));
     const double shift = faulty() ? r.shift : along;
     Event event{
         .text = way_ == Way::minus_position ? "position_row" : "row",
         .facts = {{"row", r.row}, {"x", r.axis.x}, {"y", r.axis.y}, {"z", r.axis.z}, {"shift", r.shift}},
         .words = {{"axis", axis_name(r.row)},
-                  {"product", product_text(axis, scene_.eye)},
+                  {"product", product_text(axis, subject_.eye)},
                   {"shift", shift},
                   {"right", along}},
         .row = {axis_name(r.row), axis.x, axis.y, axis.z, shift},
@@ -183,7 +183,7 @@ class Story
 
   /// The matrix is whole: what it makes of the target.
   Event say(const Viewed<double>& v) const {
-    const double size = length_of(scene_.eye) + length_of(scene_.target);
+    const double size = length_of(subject_.eye) + length_of(subject_.target);
     if (way_ == Way::inverse) {
       return {.text = "led_back",
               .facts = fields("world", v.world),
@@ -192,8 +192,8 @@ class Story
               .ends = true,
               .level = Level::step};
     }
-    const double sine = sine_between(scene_.target - scene_.eye, scene_.up);
-    const bool by_chance = scene_.along == Along::divided && sine < least_sine<double>;
+    const double sine = sine_between(subject_.target - subject_.eye, subject_.up);
+    const bool by_chance = subject_.along == Along::divided && sine < least_sine<double>;
     return {.text = by_chance  ? "by_chance"
                     : faulty() ? "off_the_axis"
                                : "viewed",
@@ -202,7 +202,7 @@ class Story
                       {"r", direction(0)},
                       {"sine", sine},
                       {"right", neat(frame_.right, 1)},
-                      {"distance", scene_.distance}},
+                      {"distance", subject_.distance}},
             .row = {words_.say("last_row"), 0, 0, 0, 1},
             .key = "target",
             .ends = true,
@@ -261,7 +261,7 @@ class Story
             .phase = words_.say("phase.frame")};
   }
   Decision hint_along_the_view(bool along) const {
-    return yes_or_no(words_, "question", {{"up", scene_.up}}, along, "replaced", "kept");
+    return yes_or_no(words_, "question", {{"up", subject_.up}}, along, "replaced", "kept");
   }
   /// Where a column of the inverse comes from: a cross product, divided by the determinant.
   void add_reciprocal(Event& event, int column) const {
@@ -274,7 +274,7 @@ class Story
   }
 
   const Words& words_;
-  const Scene& scene_;
+  const Subject& subject_;
   const Way way_;
   const Drawing drawing_;
   const DFrame frame_;   ///< where axes will be, so that nothing jumps
@@ -328,20 +328,20 @@ void say_axes_of_code(Narrator& narrator) {
 /// The frame, and the matrix that `make` makes of it.
 template <Along along, Way way, auto make>
 void tell_view(Narrator& narrator) {
-  const Scene scene = scene_of(narrator.arguments(), along);
+  const Subject subject = subject_of(narrator.arguments(), along);
   constexpr bool faulty = way == Way::minus_position || way == Way::transposed;
   if (along == Along::replaced) narrator.list_below("spare_up");
   if (way == Way::rows && along != Along::divided) narrator.list_below("world_to_view");
   if (way == Way::inverse) narrator.list_below("view_to_world");
   introduce(narrator, faulty ? Role::rejected : Role::result, faulty ? "rejected" : "result");
-  narrator.subtitle("subtitle", {{"eye", scene.eye}, {"target", scene.target}});
+  narrator.subtitle("subtitle", {{"eye", subject.eye}, {"target", subject.target}});
   narrator.paper(36, 24);
   say_axes_of_code(narrator);
   // The matrix is whole after its third row or column
   const bool replaced =
-      along == Along::replaced && sine_between(scene.target - scene.eye, scene.up) < least_sine<double>;
+      along == Along::replaced && sine_between(subject.target - subject.eye, subject.up) < least_sine<double>;
   narrator.telling({replaced ? 7 : 6, 0});
-  Story story(narrator.words(), scene, way);
+  Story story(narrator.words(), subject, way);
   const Drawing& drawing = story.drawing();
   for (const std::string_view point : {"eye", "target"})
     narrator.handles(point, [&](dvec3 p) { return drawing.at(p); });
@@ -354,11 +354,11 @@ void tell_view(Narrator& narrator) {
       watch(step, listed ? line : 0);
     };
   };
-  const DFrame frame = scene.aimed(told_as(!faulty));
+  const DFrame frame = subject.aimed(told_as(!faulty));
   const glm::dmat4 matrix = make(frame, told_as(along != Along::divided));
-  const dvec3 ahead{0, 0, scene.distance};
+  const dvec3 ahead{0, 0, subject.distance};
   watch(way == Way::inverse ? Viewed<double>{through(matrix, ahead), ahead}
-                            : Viewed<double>{scene.target, through(matrix, scene.target)},
+                            : Viewed<double>{subject.target, through(matrix, subject.target)},
         narrator.last_line());
   conclude(narrator, matrix);
 }
@@ -370,17 +370,17 @@ constexpr auto moved = [](auto... run) { return minus_position(run...); };
 constexpr auto turned = [](auto... run) { return transposed(run...); };
 
 void tell_any_frame(Narrator& narrator) {
-  const Scene scene = scene_of_axes(narrator.arguments());
+  const Subject subject = subject_of_axes(narrator.arguments());
   introduce_axes(narrator);
-  narrator.subtitle("subtitle_axes", {{"eye", scene.eye}});
+  narrator.subtitle("subtitle_axes", {{"eye", subject.eye}});
   narrator.paper(36, 24);
   say_axes_of_code(narrator);
   narrator.telling({3, 0});
-  Story story(narrator.words(), scene, Way::any_frame);
+  Story story(narrator.words(), subject, Way::any_frame);
   narrator.handles("axes", [&](dvec3 axis) { return story.drawing().axis_at(axis); });
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
-  const glm::dmat4 inverse = inverse_of_any_frame(scene.frame(), watch);
+  const glm::dmat4 inverse = inverse_of_any_frame(subject.frame(), watch);
   for (int row = 0; row < 3; ++row) watch(RowMultiplied{row, inverse}, narrator.last_line());
   watch(Inverted{}, narrator.last_line());
   conclude(narrator, inverse);

@@ -17,13 +17,13 @@ std::string difference_text(double a, double b) { return figure_real(a) + " − 
 
 class Story {
  public:
-  Story(const Words& words, const Input& input, bool clamps)
+  Story(const Words& words, const Subject& subject, bool clamps)
       : words_(words),
-        input_(input),
+        subject_(subject),
         clamps_(clamps),
-        drawing_(input, words),
-        fates_(input.points.size()),
-        current_(input.points.size()) {}
+        drawing_(subject, words),
+        fates_(subject.points.size()),
+        current_(subject.points.size()) {}
 
   void turn_to(std::size_t point) { current_ = point; }
   const Drawing& drawing() const { return drawing_; }
@@ -32,12 +32,12 @@ class Story {
 
   void show(Board& board, const steps::Started&) { board.milestone(view()); }
   Event say(const steps::Started&) const {
-    const auto& [lower, upper] = input_.map.window;
-    return {.text = input_.boxed ? "input_boxed" : "input",
+    const auto& [lower, upper] = subject_.map.window;
+    return {.text = subject_.boxed ? "input_boxed" : "input",
             .words = {{"lower", lower},
                       {"upper", upper},
-                      {"width", input_.map.picture.x},
-                      {"height", input_.map.picture.y},
+                      {"width", subject_.map.picture.x},
+                      {"height", subject_.map.picture.y},
                       {"side", side()}},
             .type = "Input"};
   }
@@ -47,7 +47,7 @@ class Story {
     board.detail(view());
   }
   Event say(const Measured<double>& m) const {
-    const auto& [lower, upper] = input_.map.window;
+    const auto& [lower, upper] = subject_.map.window;
     const dvec2 p = m.point;
     return {.text = rows_down() ? "measured_from_top" : "measured_from_bottom",
             .facts = {{"u", m.fraction.x}, {"v", m.fraction.y}},
@@ -81,7 +81,7 @@ class Story {
     board.milestone(view());
   }
   Event say(const Outside<double>&) const {
-    return landed(input_.boxed ? "not_in_viewport" : "not_in_picture", lies_inside());
+    return landed(subject_.boxed ? "not_in_viewport" : "not_in_picture", lies_inside());
   }
 
   void show(Board& board, const Rounded<double>& r) {
@@ -93,7 +93,7 @@ class Story {
     board.milestone(view());
   }
   Event say(const Rounded<double>& r) const {
-    return landed(r.there ? rounded_text() : "no_pixel", input_.rounding == Rounding::floor
+    return landed(r.there ? rounded_text() : "no_pixel", subject_.rounding == Rounding::floor
                                                              ? lies_inside()
                                                              : has_pixel(r.there ? "inside" : "outside"));
   }
@@ -121,13 +121,13 @@ class Story {
 
  private:
   View view() const { return drawing_.view(fates_, current_, done_, clamps_); }
-  bool rows_down() const { return input_.map.row_zero == RowZero::top; }
+  bool rows_down() const { return subject_.map.row_zero == RowZero::top; }
   std::string side() const { return words_.say(rows_down() ? "top" : "bottom"); }
   std::string name() const { return letter(current_); }
 
   /// "1 + 0.25·6 = 2.5"
   std::string along(int axis, const Placed<double>& p) const {
-    const auto& [lower, upper] = input_.map.viewport;
+    const auto& [lower, upper] = subject_.map.viewport;
     const std::string start = lower[axis] == 0 ? "" : figure_real(lower[axis]) + " + ";
     return fmt::format("{}{}·{} = {}", start, figure_factor(p.fraction[axis]),
                        figure_real(upper[axis] - lower[axis]), figure_real(p.place[axis]));
@@ -135,7 +135,7 @@ class Story {
 
   Decision decision(std::string_view question, bool yes, std::string_view branch) const {
     const Fate& now = fates_[current_];
-    const ivec2 size = input_.map.picture;
+    const ivec2 size = subject_.map.picture;
     return yes_or_no(words_, question,
                      {{"place", *now.place},
                       {"pixel", now.nearest.value_or(ivec2{})},
@@ -144,17 +144,17 @@ class Story {
                      yes, branch, branch);
   }
   Decision lies_inside() const {
-    const bool inside = holds(input_.map.viewport, *fates_[current_].place);
-    return decision(input_.boxed ? "question.viewport" : "question.picture", inside,
+    const bool inside = holds(subject_.map.viewport, *fates_[current_].place);
+    return decision(subject_.boxed ? "question.viewport" : "question.picture", inside,
                     inside ? "inside" : "outside");
   }
   Decision has_pixel(std::string_view branch) const {
-    return decision("question.pixel", input_.map.has(*fates_[current_].nearest), branch);
+    return decision("question.pixel", subject_.map.has(*fates_[current_].nearest), branch);
   }
 
   /// Whether the nearest integers are those of the pixel that the point lies in.
   std::string_view rounded_text() const {
-    if (input_.rounding == Rounding::floor) return "floored";
+    if (subject_.rounding == Rounding::floor) return "floored";
     return own_pixel() == fates_[current_].nearest ? "rounded_to_own" : "rounded_away";
   }
   ivec2 own_pixel() const { return rounded(*fates_[current_].place, Rounding::floor); }
@@ -174,8 +174,8 @@ class Story {
                           {"pixel", pixel},
                           {"column", pixel.x},
                           {"row", pixel.y},
-                          {"width", input_.map.picture.x},
-                          {"height", input_.map.picture.y}},
+                          {"width", subject_.map.picture.x},
+                          {"height", subject_.map.picture.y}},
                 .row = {name(), pixels_text(place.x), pixels_text(place.y),
                         now.pixel ? Said(pixel) : words_.say("outside")},
                 .key = name(),
@@ -187,7 +187,7 @@ class Story {
   }
 
   const Words& words_;
-  const Input& input_;
+  const Subject& subject_;
   const bool clamps_;
   Drawing drawing_;
   std::vector<Fate> fates_;
@@ -197,7 +197,7 @@ class Story {
 
 // --- The methods
 
-Input input_of(const Arguments& arguments, Rounding rounding) {
+Subject subject_of(const Arguments& arguments, Rounding rounding) {
   const std::vector<double> bounds = arguments.numbers("window");
   const Rectangle<double> window{{bounds[0], bounds[1]}, {bounds[2], bounds[3]}};
   if (!(window.lower.x < window.upper.x && window.lower.y < window.upper.y)) {
@@ -206,29 +206,29 @@ Input input_of(const Arguments& arguments, Rounding rounding) {
   const RowZero row_zero = arguments.text("row_zero") == "top" ? RowZero::top : RowZero::bottom;
   const bool boxed = arguments.text("fit") == "letterbox";
   const ivec2 picture = arguments.cell("resolution");
-  Input input{boxed ? letterboxed(window, picture, row_zero) : stretched(window, picture, row_zero),
-              arguments.points("points"), rounding, boxed};
-  const dvec2 room = input.map.viewport.upper - input.map.viewport.lower;
+  Subject subject{boxed ? letterboxed(window, picture, row_zero) : stretched(window, picture, row_zero),
+                  arguments.points("points"), rounding, boxed};
+  const dvec2 room = subject.map.viewport.upper - subject.map.viewport.lower;
   if (std::min(room.x, room.y) < 1e-3) {
     refuse(arguments, {"window", "resolution", "fit"},
            fmt::format("expected a window of a shape that leaves more than a thousandth of a pixel between "
                        "the bars, found {}",
                        arguments.text("window")));
   }
-  return input;
+  return subject;
 }
 
 /// take(point, observer): what the method does with a point.
 template <class Take>
-void tell_points(Narrator& narrator, const Input& input, bool clamps, const Take& take) {
+void tell_points(Narrator& narrator, const Subject& subject, bool clamps, const Take& take) {
   const Words& words = narrator.words();
-  Story story(words, input, clamps);
+  Story story(words, subject, clamps);
   require_scale(story.drawing().plane(), narrator.arguments(), {"window"});
   for (const std::string_view drawn : {"points", "window"})
     narrator.handles(drawn, shown_in(story.drawing().plane()));
-  const auto count = std::ssize(input.points);
+  const auto count = std::ssize(subject.points);
   narrator.trace().subtitle =
-      words.count("subtitle", count, {{"width", input.map.picture.x}, {"height", input.map.picture.y}});
+      words.count("subtitle", count, {{"width", subject.map.picture.x}, {"height", subject.map.picture.y}});
   narrator.paper(36, 24);
   narrator.legend({Role::current,
                    Role::accepted,
@@ -239,8 +239,8 @@ void tell_points(Narrator& narrator, const Input& input, bool clamps, const Take
                    Role::result,
                    Role::input});
   if (clamps) narrator.telling({count, 0});  // what lies outside stands last, as a rule
-  narrator.tell_each(story, input.points.size(),
-                     [&](std::size_t i, const auto& watch) { take(input.points[i], watch); });
+  narrator.tell_each(story, subject.points.size(),
+                     [&](std::size_t i, const auto& watch) { take(subject.points[i], watch); });
   for (const Fate& fate : story.fates()) {
     if (fate.pixel) narrator.trace().pixels.push_back(*fate.pixel);
   }
@@ -277,23 +277,23 @@ template <Rounding rounding>
 void tell_rounding(Narrator& narrator) {
   narrator.list(function_of(rounding));
   narrator.list_below("rasterize");
-  const Input input = input_of(narrator.arguments(), rounding);
-  tell_points(narrator, input, false,
-              [&](dvec2 point, const auto& watch) { rasterize(input.map, point, rounding, watch); });
-  tell_side_by_side<Numbers>(narrator, [input]<class T>(T, const auto& observer) {
+  const Subject subject = subject_of(narrator.arguments(), rounding);
+  tell_points(narrator, subject, false,
+              [&](dvec2 point, const auto& watch) { rasterize(subject.map, point, rounding, watch); });
+  tell_side_by_side<Numbers>(narrator, [subject]<class T>(T, const auto& observer) {
     const auto rectangle = [](const Rectangle<double>& r) {
       return Rectangle<T>{in_scalar<T>(r.lower), in_scalar<T>(r.upper)};
     };
-    const auto& [window, viewport, picture, row_zero] = input.map;
+    const auto& [window, viewport, picture, row_zero] = subject.map;
     const Mapping<T> map{rectangle(window), rectangle(viewport), picture, row_zero};
-    for (const dvec2 point : input.points) rasterize(map, in_scalar<T>(point), rounding, observer);
+    for (const dvec2 point : subject.points) rasterize(map, in_scalar<T>(point), rounding, observer);
   });
 }
 
 void tell_clamped(Narrator& narrator) {
-  const Input input = input_of(narrator.arguments(), Rounding::half_even);
-  tell_points(narrator, input, true,
-              [&](dvec2 point, const auto& watch) { clamped(input.map, point, input.rounding, watch); });
+  const Subject subject = subject_of(narrator.arguments(), Rounding::half_even);
+  tell_points(narrator, subject, true,
+              [&](dvec2 point, const auto& watch) { clamped(subject.map, point, subject.rounding, watch); });
 }
 
 /// A pixel for each point that has one.

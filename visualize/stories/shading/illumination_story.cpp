@@ -32,10 +32,10 @@ std::vector<Field> facts_of(const dvec3& colour) {
 class PlaceStory
     : public Past<AmbientAdded<double>, LampTaken<double>, LightAdded<double>, Finished<double>> {
  public:
-  PlaceStory(const Words& words, const Task& task, PlaceDrawing drawing, Mirror mirror, Fault fault,
+  PlaceStory(const Words& words, const Subject& subject, PlaceDrawing drawing, Mirror mirror, Fault fault,
              Right right)
       : words_(words),
-        task_(task),
+        subject_(subject),
         drawing_(std::move(drawing)),
         mirror_(mirror),
         fault_(fault),
@@ -51,12 +51,12 @@ class PlaceStory
     return {.text = "ambient",
             .facts = {{"ambient", a.ambient.x}},
             .words = {{"ambient", short_colour(a.ambient)}},
-            .count = std::ssize(task_.lights),
+            .count = std::ssize(subject_.lights),
             .row = {words_.say("row.ambient"), "", "", "", "", "", short_colour(a.ambient)},
             .begins = true};
   }
   Event say(const LampTaken<double>& t) const {
-    const Light& light = task_.lights[t.light];
+    const Light& light = subject_.lights[t.light];
     const Arrival<double>& a = t.arrival;
     Event event{.text = way_text(light, a),
                 .facts = {{"distance", a.distance}, {"share", a.share()}},
@@ -88,10 +88,10 @@ class PlaceStory
                   {"NL", short_real(s.n_dot_l)},
                   {"RV", short_real(s.cosine)},
                   {"product", words_.say(mirror_ == Mirror::reflected ? "product.phong" : "product.blinn")},
-                  {"n", task_.surface.shininess},
+                  {"n", subject_.surface.shininess},
                   {"f", short_real(s.arrival.share())},
                   {"taken", short_colour(-s.diffuse)},
-                  {"power", short_real(gradus::pow(s.cosine, task_.surface.shininess))},
+                  {"power", short_real(gradus::pow(s.cosine, subject_.surface.shininess))},
                   {"diffuse", short_colour(s.diffuse)},
                   {"specular", short_colour(s.specular)},
                   {"right_NL", short_real(right_one().n_dot_l)},
@@ -122,18 +122,18 @@ class PlaceStory
     const LampTaken<double>* taken = ended ? nullptr : last<LampTaken<double>>();
     const LightAdded<double>* added = now<LightAdded<double>>();
     drawing_.add_surface(view);
-    drawing_.add_lamps(view, taken ? taken->light : ended ? task_.lights.size() : PlaceDrawing::none);
+    drawing_.add_lamps(view, taken ? taken->light : ended ? subject_.lights.size() : PlaceDrawing::none);
     drawing_.add_colour(view, pieces(), right_so_far());
     if (!added) drawing_.add_viewer(view);
     if (!taken) return view;
-    const Light& light = task_.lights[taken->light];
+    const Light& light = subject_.lights[taken->light];
     drawing_.add_way(view, *taken, light);
     if (fault_ == Fault::minus_normal)
-      drawing_.add_right_way(view, towards(light, taken->sample, task_.place).first);
+      drawing_.add_right_way(view, towards(light, taken->sample, subject_.place).first);
     if (!added) return view;
     const bool scatters = !(added->diffuse.x < 0) && added->n_dot_l > 0, shines = added->specular != dvec3{0};
     drawing_.add_scattered(view, *added, scatters ? Role::accepted : Role::rejected);
-    drawing_.add_mirrored(view, *added, shines ? Role::measure : Role::rejected, task_.surface.shininess);
+    drawing_.add_mirrored(view, *added, shines ? Role::measure : Role::rejected, subject_.surface.shininess);
     return view;
   }
 
@@ -143,7 +143,7 @@ class PlaceStory
 
   template <class Step>
   bool of_area(const Step& s) const {
-    return task_.lights[s.light].kind == Light::Kind::area;
+    return subject_.lights[s.light].kind == Light::Kind::area;
   }
   template <class Step>
   std::string name(const Step& s) const {
@@ -208,7 +208,7 @@ class PlaceStory
   }
 
   const Words& words_;
-  const Task& task_;
+  const Subject& subject_;
   const PlaceDrawing drawing_;
   const Mirror mirror_;
   const Fault fault_;
@@ -220,20 +220,20 @@ class PlaceStory
 constexpr auto phongs = [](const auto&... a) { return phong(a...); };
 constexpr auto blinns = [](const auto&... a) { return blinn_phong(a...); };
 
-/// Runs a method on the task, in white ambient light.
+/// Runs a method on the subject, in white ambient light.
 template <class Method, class Watch>
-Parts<double> run(const Task& t, const Method& method, const Watch& watch) {
+Parts<double> run(const Subject& t, const Method& method, const Watch& watch) {
   return method(t.place, t.normal, t.eye, t.surface, t.lamps(), dvec3{1}, AllSeen{}, watch);
 }
 
 /// The same, recorded.
 template <class Method>
-Right recorded(const Task& task, const Method& method) {
+Right recorded(const Subject& subject, const Method& method) {
   Right right{};
   const auto keep = [&]<class Step>(const Step& step) {
     if constexpr (std::same_as<Step, LightAdded<double>>) right.lamps.push_back(step);
   };
-  right.sum = run(task, method, keep).sum();
+  right.sum = run(subject, method, keep).sum();
   return right;
 }
 
@@ -251,15 +251,15 @@ double brightest_of(const Right& own, const Right& right) {
 template <auto method, Fault fault = Fault::none, Mirror mirror = Mirror::reflected>
 void tell_place(Narrator& narrator) {
   constexpr bool reflects = mirror == Mirror::reflected;
-  const Task task = task_of(narrator.arguments());
-  const Right right = reflects ? recorded(task, phongs) : recorded(task, blinns);
-  const Right own = recorded(task, method);
-  bool below = glm::dot(task.eye - task.place, task.normal) < 0;
+  const Subject subject = subject_of(narrator.arguments());
+  const Right right = reflects ? recorded(subject, phongs) : recorded(subject, blinns);
+  const Right own = recorded(subject, method);
+  bool below = glm::dot(subject.eye - subject.place, subject.normal) < 0;
   for (const Right* run : {&right, &own}) {
     for (const auto& lamp : run->lamps) below = below || lamp.n_dot_l < 0;
   }
   narrator.paper(place_paper_width, place_paper_height);
-  narrator.trace().subtitle = narrator.words().count("subtitle", std::ssize(task.lights));
+  narrator.trace().subtitle = narrator.words().count("subtitle", std::ssize(subject.lights));
   narrator.columns(
       {{"lamp", false}, {"f"}, {"NL"}, {reflects ? "RV" : "NH"}, {"diffuse"}, {"specular"}, {"sum"}});
   narrator.legend({{Role::current, "current"},
@@ -267,15 +267,15 @@ void tell_place(Narrator& narrator) {
                    {Role::accepted, fault == Fault::none ? "scattered" : "scattered.right"},
                    {Role::measure, "highlight"},
                    {Role::rejected, "rejected"}});
-  PlaceStory story(narrator.words(), task,
-                   PlaceDrawing(narrator.words(), task, mirror, below, brightest_of(own, right)), mirror,
+  PlaceStory story(narrator.words(), subject,
+                   PlaceDrawing(narrator.words(), subject, mirror, below, brightest_of(own, right)), mirror,
                    fault, right);
   narrator.handles("lights", [&](dvec3 position) {
-    return story.drawing().lamp_at(moved_to(position, task.lights[0], narrator.arguments()));
+    return story.drawing().lamp_at(moved_to(position, subject.lights[0], narrator.arguments()));
   });
   narrator.handles("eye", [&](dvec3 eye) { return story.drawing().eye_at(eye); });
   narrator.telling({2, 0});  // where no lamp tells more: the first
-  run(task, method, narrator.watcher(story));
+  run(subject, method, narrator.watcher(story));
   narrator.result(facts_of(own.sum));
 }
 

@@ -396,7 +396,7 @@ const TopicEntry& entry() {
                    "how much a face's normal counts at a vertex"),
             points(1, 64, "intensities", "", "0 1 0.5",
                    "given for the corners of the faces in turn, in place of light", {"I"}, {1e-6, 1}),
-            faces_task::towards_parameter("-3,3,5"), exact_parameter()},
+            faces_subject::towards_parameter("-3,3,5"), exact_parameter()},
        .examples = {
            "--intensities '0 0.5 1' --window=-0.5,-0.5,11.5,11.5", "--method phong --light 5,4,3 --eye 5,4,8",
            "--method vertex_normals --weighting plain --faces '1,1,1 0,1,1 0,0,1; 1,1,1 0,0,1 1,0,1; 1,1,1 "

@@ -19,12 +19,12 @@ struct Reversed {};
 
 class Story {
  public:
-  Story(const Words& words, const Task& task, Way way)
+  Story(const Words& words, const Subject& subject, Way way)
       : words_(words),
-        task_(task),
+        subject_(subject),
         way_(way),
         stages_{first_stage()},
-        layout_(words.wording(), task, way == Way::undo, world(), largest_shape()) {}
+        layout_(words.wording(), subject, way == Way::undo, world(), largest_shape()) {}
 
   const Panel& panel() const { return layout_.panel(); }
   /// Where the first drawing shows a point of the polygon.
@@ -58,7 +58,7 @@ class Story {
   Event say(const Multiplied<double>& m) const {
     Event event = acted("multiplied", m.factor);
     if (way_ == Way::centre_added) {
-      const bool shear = is_shear(task_.factors[m.factor]);
+      const bool shear = is_shear(subject_.factors[m.factor]);
       event.decides =
           yes_or_no(words_, "question.shear", {{"name", name_of(m.factor)}}, shear, "shear", "other");
     }
@@ -66,7 +66,7 @@ class Story {
   }
 
   void show(Board& board, const Acted<double>& a) {
-    shown_ = matrix(task_.factors[a.factor]);
+    shown_ = matrix(subject_.factors[a.factor]);
     matrix_ = shown_ * matrix_;
     one_matrix_ = false;
     go_on(board, a.points);
@@ -119,7 +119,7 @@ class Story {
 
   void show(Board& board, const Reversed&) { board.milestone(drawing(Role::result, true)); }
   Event say(const Reversed&) const {
-    const dvec2 other = task_.reversed()[0];
+    const dvec2 other = subject_.reversed()[0];
     const bool same = length_between(other, corner(done_)) <= 1e-9 * size_of(world());
     return {.text = same ? "reversed.same" : "reversed",
             .facts = fields_of(matrix_),
@@ -129,11 +129,11 @@ class Story {
   }
 
  private:
-  std::size_t count() const { return task_.factors.size(); }
+  std::size_t count() const { return subject_.factors.size(); }
   std::string name_of(std::size_t factor) const { return factor_name(words_.wording(), factor); }
   /// Where corner A stands after so many steps.
   dvec2 corner(std::size_t stage) const { return stages_[stage][0]; }
-  dvec2 origin() const { return way_ == Way::local ? task_.factors[0].pivot : dvec2{0}; }
+  dvec2 origin() const { return way_ == Way::local ? subject_.factors[0].pivot : dvec2{0}; }
 
   // --- What is told
 
@@ -146,7 +146,7 @@ class Story {
   }
   Event acted(std::string_view text, std::size_t factor) const {
     return standing({.text = text,
-                     .words = {{"factor", factor_words(words_.wording(), task_.texts[factor])},
+                     .words = {{"factor", factor_words(words_.wording(), subject_.texts[factor])},
                                {"name", name_of(factor)},
                                {"from", corner(done_ - 1)},
                                {"to", corner(done_)}}});
@@ -161,21 +161,21 @@ class Story {
   }
   Event ending() const {
     const dvec2 to = corner(done_);
-    if (way_ == Way::undo) return {.text = "back", .words = {{"error", furthest(task_.shape)}}};
+    if (way_ == Way::undo) return {.text = "back", .words = {{"error", furthest(subject_.shape)}}};
     if (way_ == Way::local) {
-      Shape global = task_.shape;
-      one_matrix(task_.chain(), std::span(global));
+      Shape global = subject_.shape;
+      one_matrix(subject_.chain(), std::span(global));
       for (dvec2& p : global) p -= origin();
       return {.text = "local", .words = {{"origin", origin()}, {"to", to}, {"error", furthest(global)}}};
     }
     if (way_ == Way::centre_added) {
-      const dvec2 right = task_.after(count())[0];
+      const dvec2 right = subject_.after(count())[0];
       return {.text = figure_place(right) == figure_place(to) ? "nothing_wrong" : "went_wrong",
               .words = {{"to", to}, {"right", right}}};
     }
     const double det = determinant(matrix_);
     const bool flat = std::ranges::any_of(
-        task_.factors, [](const Factor<double>& factor) { return flattens(factor.linear); });
+        subject_.factors, [](const Factor<double>& factor) { return flattens(factor.linear); });
     const bool same = figure_real(det) == "1";
     return {.text = flat      ? "flat"
                     : det < 0 ? "mirrored"
@@ -188,30 +188,30 @@ class Story {
 
   /// The shape before the first step.
   Shape first_stage() const {
-    Shape shape = task_.shape;
+    Shape shape = subject_.shape;
     for (dvec2& p : shape) p = first(p);
     return shape;
   }
   dvec2 first(dvec2 p) const {
-    if (way_ == Way::undo) factor_by_factor(task_.chain(), std::span(&p, 1));
+    if (way_ == Way::undo) factor_by_factor(subject_.chain(), std::span(&p, 1));
     return p - origin();
   }
   /// What the panel has to show.
   Extent world() const {
     Extent world;
     for (std::size_t k = 0; k <= count(); ++k) {
-      for (const dvec2 p : task_.after(k)) world.add(p - origin());
+      for (const dvec2 p : subject_.after(k)) world.add(p - origin());
     }
-    for (const FactorText& text : task_.texts) {
+    for (const FactorText& text : subject_.texts) {
       if (!text.pivot.empty()) world.add(point_of(text.pivot) - origin());
       for (const Tuple& p : text.line) world.add(point_of(p) - origin());
     }
-    if (task_.compare) {
-      for (const dvec2 p : task_.reversed()) world.add(p - origin());
+    if (subject_.compare) {
+      for (const dvec2 p : subject_.reversed()) world.add(p - origin());
     }
     for (std::size_t k = 1; way_ == Way::centre_added && k <= count(); ++k) {
-      Shape points = task_.shape;
-      centre_added(task_.chain().first(k), std::span(points));
+      Shape points = subject_.shape;
+      centre_added(subject_.chain().first(k), std::span(points));
       for (const dvec2 p : points) world.add(p);
     }
     return world;
@@ -224,7 +224,8 @@ class Story {
   /// The length or height of the largest shape on the way.
   double largest_shape() const {
     double most = 0;
-    for (std::size_t k = 0; k <= count(); ++k) most = std::max(most, longer_side(extent_of(task_.after(k))));
+    for (std::size_t k = 0; k <= count(); ++k)
+      most = std::max(most, longer_side(extent_of(subject_.after(k))));
     return most;
   }
 
@@ -253,7 +254,7 @@ class Story {
     if (done_ == 0 || whole || done_ == 1)
       view.add_named("j corner 00", "k corner 00", Role::input, from, letter(0));
     if (done_ == 0) return view;
-    if (task_.compare && done_ == count()) add_reversed(view, at.after);
+    if (subject_.compare && done_ == count()) add_reversed(view, at.after);
     add_stage(view, at, done_, role);
     const dvec2 to = at.after.at(corner(done_));
     view.add({"a inside", role, Area{{at.after.at(stages_[done_])}}});
@@ -269,7 +270,7 @@ class Story {
 
   /// Where the shape would be with the factors in the reverse order.
   void add_reversed(View& view, const Panel& panel) const {
-    const Shape other = task_.reversed();
+    const Shape other = subject_.reversed();
     if (!panel.shown().holds(other[0])) return;
     view.add({"b reversed", Role::rejected, Path{panel.at(other), true}});
     view.add({"k reversed", Role::rejected, Label{panel.at(other[0]), words_.say("reversed.name")}});
@@ -289,7 +290,7 @@ class Story {
   void add_way(View& view, const Layout::Frames& at) const {
     const dvec2 from = corner(done_ - 1), to = corner(done_);
     if (from == to) return;
-    const FactorText& text = task_.texts[factor()];
+    const FactorText& text = subject_.texts[factor()];
     if (at.apart || text.kind != FactorText::Kind::rotate) {
       view.add({"h way", Role::measure, Stroke{at.before.at(from), at.after.at(to), true}});
       return;
@@ -314,7 +315,7 @@ class Story {
 
   /// What the current factor leaves where it is: a pivot, or a mirror.
   void keep_still(View& view, const Panel& panel) const {
-    const FactorText& text = task_.texts[factor()];
+    const FactorText& text = subject_.texts[factor()];
     const auto at = [&](const Tuple& place) { return panel.at(point_of(place) - origin()); };
     if (!text.pivot.empty())
       view.add_named("j pivot", "k pivot", Role::boundary, at(text.pivot), words_.say("pivot"), true);
@@ -345,7 +346,7 @@ class Story {
   }
 
   const Words& words_;
-  const Task& task_;
+  const Subject& subject_;
   const Way way_;
   std::vector<Shape> stages_;  ///< the shape, and where it stood after each step
   const Layout layout_;
@@ -357,21 +358,21 @@ class Story {
 // --- The methods
 
 /// What stands around the steps.
-void introduce(Narrator& narrator, const Task& task, const Story& story) {
+void introduce(Narrator& narrator, const Subject& subject, const Story& story) {
   require_scale(story.panel(), narrator.arguments(), {"polygon", "factors"});
   narrator.handles("polygon", [&](dvec2 p) { return story.shown_first(p); });
   narrator.shows_matrices();
-  narrator.trace().subtitle = factors_words(narrator.words().wording(), task.texts);
+  narrator.trace().subtitle = factors_words(narrator.words().wording(), subject.texts);
   narrator.paper(36, 24);
   narrator.legend({Role::input, Role::past, Role::current, Role::result, Role::measure, Role::rejected});
-  narrator.telling({static_cast<std::int64_t>(task.factors.size()), 0});
+  narrator.telling({static_cast<std::int64_t>(subject.factors.size()), 0});
 }
 
 /// What has come out.
-void conclude(Narrator& narrator, Story& story, const Task& task, const Shape& points) {
+void conclude(Narrator& narrator, Story& story, const Subject& subject, const Shape& points) {
   const auto tell = narrator.watcher(story);
   tell(steps::Finished{}, 0);
-  if (task.compare) tell(Reversed{}, 0);
+  if (subject.compare) tell(Reversed{}, 0);
   std::vector<Field> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
     result.push_back({fmt::format("{}.x", letter(i)), points[i].x, "x"});
@@ -383,14 +384,14 @@ void conclude(Narrator& narrator, Story& story, const Task& task, const Shape& p
 /// Tells a method that takes factors and points.
 template <Way way, auto act>
 void tell_chain(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  Story story(narrator.words(), task, way);
-  introduce(narrator, task, story);
-  Shape points = task.shape;
-  act(task.chain(), std::span(points), narrator.watcher(story));
-  conclude(narrator, story, task, points);
+  const Subject subject = subject_of(narrator.arguments());
+  Story story(narrator.words(), subject, way);
+  introduce(narrator, subject, story);
+  Shape points = subject.shape;
+  act(subject.chain(), std::span(points), narrator.watcher(story));
+  conclude(narrator, story, subject, points);
   tell_side_by_side<Numbers>(narrator,
-                             [task]<class T>(T, const auto& watch) { run_in<T>(task, act, watch); });
+                             [subject]<class T>(T, const auto& watch) { run_in<T>(subject, act, watch); });
 }
 
 constexpr auto from_first_pivot = [](auto factors, auto... run) {
@@ -398,26 +399,26 @@ constexpr auto from_first_pivot = [](auto factors, auto... run) {
 };
 
 /// The way back must exist before it is told.
-void require_inverses(const Task& task) {
-  for (std::size_t k = 0; k < task.factors.size(); ++k) {
-    if (inverse(task.factors[k])) continue;
-    const char* why = flattens(task.factors[k].linear)
+void require_inverses(const Subject& subject) {
+  for (std::size_t k = 0; k < subject.factors.size(); ++k) {
+    if (inverse(subject.factors[k])) continue;
+    const char* why = flattens(subject.factors[k].linear)
                           ? "flattens the plane (its determinant is 0), so it has no inverse"
                           : "has no inverse whose numbers are within the range of double";
-    refuse("factors", "factor {}: '{}' {} and can't be undone", k + 1, text_of(task.texts[k]), why);
+    refuse("factors", "factor {}: '{}' {} and can't be undone", k + 1, text_of(subject.texts[k]), why);
   }
 }
 
 void tell_undo(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  require_inverses(task);
-  Story story(narrator.words(), task, Way::undo);
-  introduce(narrator, task, story);
+  const Subject subject = subject_of(narrator.arguments());
+  require_inverses(subject);
+  Story story(narrator.words(), subject, Way::undo);
+  introduce(narrator, subject, story);
   const auto watch = narrator.watcher(story);
-  Shape points = task.after(task.factors.size());
+  Shape points = subject.after(subject.factors.size());
   watch(Started<double>{Matrix<double>(1.0), points}, 0);
-  undo(task.chain(), std::span(points), watch);
-  conclude(narrator, story, task, points);
+  undo(subject.chain(), std::span(points), watch);
+  conclude(narrator, story, subject, points);
 }
 
 }  // namespace

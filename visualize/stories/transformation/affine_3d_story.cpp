@@ -15,14 +15,14 @@ using Chain = std::span<const Mat>;
 class ProductStory {
  public:
   /// rows: points as rows, and beside them as columns.
-  ProductStory(const Words& words, const Task& task, bool rows)
-      : words_(words), task_(task), by_rows_(rows), stages_(stages(task.factors, rows)) {
+  ProductStory(const Words& words, const Subject& subject, bool rows)
+      : words_(words), subject_(subject), by_rows_(rows), stages_(stages(subject.factors, rows)) {
     if (rows) {
-      others_ = stages(task.factors, false);
-    } else if (task.compare) {
-      others_ = stages({task.factors.rbegin(), task.factors.rend()}, false);
+      others_ = stages(subject.factors, false);
+    } else if (subject.compare) {
+      others_ = stages({subject.factors.rbegin(), subject.factors.rend()}, false);
     }
-    Extent world = world_of_axes(dvec3(reach_of(task.size)));
+    Extent world = world_of_axes(dvec3(reach_of(subject.size)));
     for (const auto* list : {&stages_, &others_}) {
       for (const Shape& shape : *list) add_to(world, shape);
     }
@@ -34,7 +34,7 @@ class ProductStory {
   void show(Board& board, const Started<double>&) { milestone(board, Role::input); }
   Event say(const Started<double>&) const {
     return standing({.text = by_rows_ ? "started_rows" : "started",
-                     .words = {{"product", product_name(words_.wording(), task_.factors.size())}}});
+                     .words = {{"product", product_name(words_.wording(), subject_.factors.size())}}});
   }
 
   void show(Board& board, const Multiplied<double>& m) {
@@ -44,7 +44,7 @@ class ProductStory {
   }
   Event say(const Multiplied<double>& m) const {
     return standing({.text = "multiplied",
-                     .words = {{"factor", factor_words(words_.wording(), task_.texts[m.factor])},
+                     .words = {{"factor", factor_words(words_.wording(), subject_.texts[m.factor])},
                                {"name", factor_name(words_.wording(), m.factor)},
                                {"from", stages_[done_ - 1][corner_a]},
                                {"to", stages_[done_][corner_a]}}});
@@ -72,7 +72,7 @@ class ProductStory {
  private:
   /// The box after each factor.
   std::vector<Shape> stages(const std::vector<Mat>& factors, bool rows) const {
-    const Shape box = box_of(task_.size);
+    const Shape box = box_of(subject_.size);
     std::vector<Shape> list{box};
     Mat product(1);
     for (const Mat& m : factors) {
@@ -109,7 +109,7 @@ class ProductStory {
     const std::string id = i == 0 ? "left" : "right";
     const Panel& panel = panels_[i];
     SpaceDrawing space = drawing_in(panel);
-    add_axes_of_space(view, space, panel, id, dvec3(reach_of(task_.size)), words_);
+    add_axes_of_space(view, space, panel, id, dvec3(reach_of(subject_.size)), words_);
     if (done_ > 0) add_given(space, id + " 0", list[0]);
     if (done_ > 1) add_outline(space, id + " 1", Role::past, list[done_ - 1]);
     add_box(space, id + " 2", done_ > 0 ? role : Role::input, list[done_]);
@@ -119,7 +119,7 @@ class ProductStory {
   }
   std::string caption(std::size_t half) const {
     if (by_rows_) return words_.say(half == 0 ? "as_row" : "as_column");
-    const std::size_t n = task_.factors.size();
+    const std::size_t n = subject_.factors.size();
     if (half == 0) return product_name(words_.wording(), n);
     std::vector<std::string> names;
     for (std::size_t k = 0; k < n; ++k) names.push_back(factor_name(words_.wording(), k));
@@ -127,7 +127,7 @@ class ProductStory {
   }
 
   const Words& words_;
-  const Task& task_;
+  const Subject& subject_;
   const bool by_rows_;
   std::vector<Shape> stages_, others_;
   std::vector<Panel> panels_;
@@ -180,19 +180,19 @@ Matrix<T> matrix_in(const Mat& m) {
 
 /// The factors are the doubles' in all three.
 template <class T>
-void one_matrix_in(const Task& task, const auto& observer) {
+void one_matrix_in(const Subject& subject, const auto& observer) {
   std::vector<Matrix<T>> factors;
-  for (const Mat& m : task.factors) factors.push_back(matrix_in<T>(m));
+  for (const Mat& m : subject.factors) factors.push_back(matrix_in<T>(m));
   std::vector<Point<T>> corners;
-  for (const dvec3 p : box_of(task.size)) corners.push_back(in_scalar<T>(p));
+  for (const dvec3 p : box_of(subject.size)) corners.push_back(in_scalar<T>(p));
   one_matrix(std::span<const Matrix<T>>(factors), std::span(corners), observer);
 }
 /// The axis of length 1 and the turn are.
 template <class T>
-void turn_vector_in(const Task& task, const auto& observer) {
-  const Turn<double> turn = turn_degrees(task.angle);
-  turn_vector(in_scalar<T>(direction_of(task.axis)), in_scalar<T>(task.through),
-              Turn<T>{T(turn.sin), T(turn.cos), T(turn.versine)}, in_scalar<T>(task.point), observer);
+void turn_vector_in(const Subject& subject, const auto& observer) {
+  const Turn<double> turn = turn_degrees(subject.angle);
+  turn_vector(in_scalar<T>(direction_of(subject.axis)), in_scalar<T>(subject.through),
+              Turn<T>{T(turn.sin), T(turn.cos), T(turn.versine)}, in_scalar<T>(subject.point), observer);
 }
 
 // --- The methods
@@ -202,72 +202,73 @@ void introduce(Narrator& narrator) {
   narrator.paper(paper_width, paper_height);
   narrator.legend({Role::input, Role::past, Role::current, Role::result});
 }
-void introduce_turn(Narrator& narrator, const Task& task) {
+void introduce_turn(Narrator& narrator, const Subject& subject) {
   introduce(narrator);
-  narrator.subtitle("subtitle", {{"angle", task.angle}, {"axis", task.axis}, {"through", task.through}});
+  narrator.subtitle("subtitle",
+                    {{"angle", subject.angle}, {"axis", subject.axis}, {"through", subject.through}});
 }
 
-void tell_product(Narrator& narrator, const Task& task, bool rows) {
+void tell_product(Narrator& narrator, const Subject& subject, bool rows) {
   introduce(narrator);
   narrator.shows_matrices();
-  narrator.trace().subtitle = factors_words(narrator.words().wording(), task.texts);
-  ProductStory story(narrator.words(), task, rows);
+  narrator.trace().subtitle = factors_words(narrator.words().wording(), subject.texts);
+  ProductStory story(narrator.words(), subject, rows);
   require_scale(story.panel(), narrator.arguments(), {"box", "factors"});
   narrator.handles("box", [&](dvec3 corner) { return story.panel().at(oblique(corner)); });
   const auto watch = narrator.watcher(story);
-  Shape box = box_of(task.size);
-  rows ? row_vectors(Chain(task.factors), std::span(box), watch)
-       : one_matrix(Chain(task.factors), std::span(box), watch);
+  Shape box = box_of(subject.size);
+  rows ? row_vectors(Chain(subject.factors), std::span(box), watch)
+       : one_matrix(Chain(subject.factors), std::span(box), watch);
   watch(steps::Finished{}, 0);
   narrator.result(fields_of(box[corner_a]));
 }
 void tell_one_matrix(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  tell_product(narrator, task, false);
+  const Subject subject = subject_of(narrator.arguments());
+  tell_product(narrator, subject, false);
   tell_side_by_side<Numbers>(narrator,
-                             [task]<class T>(T, const auto& watch) { one_matrix_in<T>(task, watch); });
+                             [subject]<class T>(T, const auto& watch) { one_matrix_in<T>(subject, watch); });
 }
-void tell_row_vectors(Narrator& narrator) { tell_product(narrator, task_of(narrator.arguments()), true); }
+void tell_row_vectors(Narrator& narrator) { tell_product(narrator, subject_of(narrator.arguments()), true); }
 
 void tell_decomposition(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  introduce_turn(narrator, task);
+  const Subject subject = subject_of(narrator.arguments());
+  introduce_turn(narrator, subject);
   narrator.shows_matrices();
-  PartsStory story(narrator.words(), task);
+  PartsStory story(narrator.words(), subject);
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
   require_scale(story.panel(), narrator.arguments(), {"box", "through"});
-  narrator.handles("axis", [&](dvec3 axis) { return story.axis_at(task.through, axis).b; });
-  narrator.handles("through", [&](dvec3 through) { return story.axis_at(through, task.axis).a; });
+  narrator.handles("axis", [&](dvec3 axis) { return story.axis_at(subject.through, axis).b; });
+  narrator.handles("through", [&](dvec3 through) { return story.axis_at(through, subject.axis).a; });
   narrator.handles("box", [&](dvec3 corner) { return story.panel().at(oblique(corner)); });
-  const Mat m = decomposition(task.through, alignment(task.axis), turn_degrees(task.angle), watch);
+  const Mat m = decomposition(subject.through, alignment(subject.axis), turn_degrees(subject.angle), watch);
   watch(steps::Finished{}, 0);
-  narrator.result(fields_of(transform(m, box_of(task.size)[corner_a])));
+  narrator.result(fields_of(transform(m, box_of(subject.size)[corner_a])));
 }
 
-void tell_vectors(Narrator& narrator, const Task& task, bool constant) {
-  introduce_turn(narrator, task);
+void tell_vectors(Narrator& narrator, const Subject& subject, bool constant) {
+  introduce_turn(narrator, subject);
   narrator.columns({{"vector", false}, {"x"}, {"y"}, {"z"}});
-  VectorStory story(narrator.words(), task, constant);
+  VectorStory story(narrator.words(), subject, constant);
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
   require_scale(story.panel(), narrator.arguments(), {"point", "through"});
   narrator.handles("axis", [&](dvec3 axis) { return story.tip_at(axis); });
   for (const std::string_view point : {"through", "point"})
     narrator.handles(point, [&](dvec3 p) { return story.at(p); });
-  const dvec3 n = direction_of(task.axis);
-  const Turn<double> turn = turn_degrees(task.angle);
-  narrator.result(fields_of(constant ? constant_offset(n, task.through, turn, task.point, watch)
-                                     : turn_vector(n, task.through, turn, task.point, watch)));
+  const dvec3 n = direction_of(subject.axis);
+  const Turn<double> turn = turn_degrees(subject.angle);
+  narrator.result(fields_of(constant ? constant_offset(n, subject.through, turn, subject.point, watch)
+                                     : turn_vector(n, subject.through, turn, subject.point, watch)));
 }
 void tell_turn_vector(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  tell_vectors(narrator, task, false);
+  const Subject subject = subject_of(narrator.arguments());
+  tell_vectors(narrator, subject, false);
   tell_side_by_side<Numbers>(narrator,
-                             [task]<class T>(T, const auto& watch) { turn_vector_in<T>(task, watch); });
+                             [subject]<class T>(T, const auto& watch) { turn_vector_in<T>(subject, watch); });
 }
 void tell_constant_offset(Narrator& narrator) {
-  tell_vectors(narrator, task_of(narrator.arguments()), true);
+  tell_vectors(narrator, subject_of(narrator.arguments()), true);
   narrator.add_to_legend(Role::rejected, "rejected");
 }
 

@@ -24,9 +24,9 @@ enum class By { product, area, determinant, depth };
 constexpr auto drop = [](std::size_t) {};
 
 /// The signs that the exact method finds.
-std::vector<int> exact_signs(const Task& task) {
+std::vector<int> exact_signs(const Subject& subject) {
   std::vector<int> signs;
-  normal_and_view<double>(spans_of(task.rings), task.eye, drop, [&]<class Step>(const Step& step) {
+  normal_and_view<double>(spans_of(subject.rings), subject.eye, drop, [&]<class Step>(const Step& step) {
     if constexpr (std::same_as<Step, Judged<double>>) signs.push_back(step.sign);
   });
   return signs;
@@ -35,22 +35,23 @@ std::vector<int> exact_signs(const Task& task) {
 class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<ViewTaken<double>>,
                                  Finer<TriangleAdded<double>>, Judged<double>, Finished> {
  public:
-  CullingStory(const Words& words, const Task& task, By by, bool faulty)
+  CullingStory(const Words& words, const Subject& subject, By by, bool faulty)
       : words_(words),
-        task_(task),
+        subject_(subject),
         by_(by),
         faulty_(faulty),
-        right_(faulty ? exact_signs(task) : std::vector<int>{}),
-        space_(task, space_in(by), by == By::determinant),
-        picture_(task, in_space() ? picture_place : large_place, by == By::determinant) {}
+        right_(faulty ? exact_signs(subject) : std::vector<int>{}),
+        space_(subject, space_in(by), by == By::determinant),
+        picture_(subject, in_space() ? picture_place : large_place, by == By::determinant) {}
 
   dvec2 at(dvec3 p) const { return space_.at(p); }
 
   Event say(const steps::Started&) const {
     constexpr std::array<std::string_view, 4> texts{"started.product", "started.area", "started.determinant",
                                                     "started.depth"};
-    return {
-        .text = texts[static_cast<std::size_t>(by_)], .count = std::ssize(task_.faces), .level = Level::idea};
+    return {.text = texts[static_cast<std::size_t>(by_)],
+            .count = std::ssize(subject_.faces),
+            .level = Level::idea};
   }
   Event say(const NormalFound<double>& n) const {
     return {.text = n.normal == dvec3{0} ? "normal.none"
@@ -62,9 +63,9 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
             .key = name()};
   }
   Event say(const ViewTaken<double>& v) const {
-    return {.text = task_.distant ? "view.distant" : "view",
+    return {.text = subject_.distant ? "view.distant" : "view",
             .facts = fields_of(v.view),
-            .words = {{"name", name()}, {"V", v.view}, {"E", dvec3(task_.eye)}, {"P", v.at}},
+            .words = {{"name", name()}, {"V", v.view}, {"E", dvec3(subject_.eye)}, {"P", v.at}},
             .key = name()};
   }
   Event say(const TriangleAdded<double>& t) const {
@@ -101,7 +102,7 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
                 .words = {{"skipped", f.tests - f.drawn}}};
     const auto tell = [&](std::string_view text, std::size_t face) {
       event.text = text;
-      event.words.push_back({"name", task_.faces[face].name});
+      event.words.push_back({"name", subject_.faces[face].name});
       return event;
     };
     for (std::size_t i = 0; i < right_.size(); ++i) {
@@ -110,8 +111,8 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
         return tell(draws ? "finished.drawn_wrongly" : "finished.skipped_wrongly", i);
     }
     if (faulty_) return event;
-    for (std::size_t i = 0; i < task_.rings.size(); ++i) {
-      if (!faces_task::is_flat(task_.rings[i])) return tell("finished.not_flat", i);
+    for (std::size_t i = 0; i < subject_.rings.size(); ++i) {
+      if (!faces_subject::is_flat(subject_.rings[i])) return tell("finished.not_flat", i);
     }
     if (const auto hidden = hidden_front()) return tell("finished.hidden", hidden->first);
     return event;
@@ -120,7 +121,7 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
   View draw() const {
     View view;
     std::vector<Look> looks;
-    for (std::size_t i = 0; i < task_.faces.size(); ++i) looks.push_back(look_of(i));
+    for (std::size_t i = 0; i < subject_.faces.size(); ++i) looks.push_back(look_of(i));
     space_.add(view, looks);
     picture_.add(view, looks);
     if (by_ == By::area) picture_.add_names(view, looks);
@@ -157,7 +158,7 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
     if (now<steps::Started>() || now<Finished>()) return none;
     return all<Judged<double>>().size() - (judged() ? 1 : 0);
   }
-  const std::string& name() const { return task_.faces[face()].name; }
+  const std::string& name() const { return subject_.faces[face()].name; }
   std::optional<int> sign_of(std::size_t face) const {
     const auto& judged = all<Judged<double>>();
     return face < judged.size() ? std::optional(judged[face].sign) : std::nullopt;
@@ -168,7 +169,7 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
     const dvec3 n = normal();
     // View space is mirrored: there the cross product points inwards
     if (by_ == By::depth)
-      return -(n.x * task_.frame.right + n.y * task_.frame.up + n.z * task_.frame.forward);
+      return -(n.x * subject_.frame.right + n.y * subject_.frame.up + n.z * subject_.frame.forward);
     return n;
   }
   std::optional<dvec3> taken_view() const {
@@ -187,10 +188,10 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
   }
   /// A face that is drawn, and a place on its border that another one hides from the eye.
   std::optional<std::pair<std::size_t, dvec3>> hidden_front() const {
-    const HiddenLines lines(task_.rings, task_.eye, 2 * task_.radius);
-    for (std::size_t i = 0; i < task_.rings.size(); ++i) {
+    const HiddenLines lines(subject_.rings, subject_.eye, 2 * subject_.radius);
+    for (std::size_t i = 0; i < subject_.rings.size(); ++i) {
       if (sign_of(i).value_or(0) <= 0) continue;
-      for (const auto& [a, b] : sides_of(task_.rings[i])) {
+      for (const auto& [a, b] : sides_of(subject_.rings[i])) {
         for (const SightPiece& piece : lines.pieces(a, b)) {
           if (piece.hidden) return std::pair(i, a + 0.5 * (piece.from + piece.to) * (b - a));
         }
@@ -216,8 +217,8 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
   }
   void add_plane(View& view) const {
     std::optional<dvec3> to_eye = taken_view(), along_z;
-    if (by_ == By::depth) along_z = -task_.frame.forward;
-    if (by_ == By::depth && judged()) to_eye = view_vector<double>(task_.rings[face()], task_.eye);
+    if (by_ == By::depth) along_z = -subject_.frame.forward;
+    if (by_ == By::depth && judged()) to_eye = view_vector<double>(subject_.rings[face()], subject_.eye);
     space_.add_normal(view, face(), drawn_normal());
     if (to_eye) space_.add_view(view, face());
     add_edge_on(view, lower_place, drawn_normal(), to_eye, along_z);
@@ -225,7 +226,7 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
   }
   /// Where the corners of the face lie before the eye and behind it.
   void add_depths(View& view) const {
-    const auto rings = task_.clip();
+    const auto rings = subject_.clip();
     double least = 0, most = 0;
     for (const Ring& ring : rings) {
       for (const dvec3 p : ring) {
@@ -244,7 +245,7 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
   }
 
   const Words& words_;
-  const Task& task_;
+  const Subject& subject_;
   const By by_;
   const bool faulty_;
   const std::vector<int> right_;  ///< what the exact method says, where this one may be wrong
@@ -254,12 +255,12 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
 
 // --- The methods
 
-void set_up(Narrator& narrator, const Task& task, By by, bool faulty) {
+void set_up(Narrator& narrator, const Subject& subject, By by, bool faulty) {
   narrator.paper(paper_width, paper_height);
   narrator.subtitle(by == By::area          ? "subtitle.image"
                     : by == By::determinant ? "subtitle.clip"
                                             : "subtitle.object",
-                    {{"count", task.faces.size()}});
+                    {{"count", subject.faces.size()}});
   if (by == By::area) narrator.columns({{"face", false}, {"area"}, {"side", false}});
   if (by == By::determinant) narrator.columns({{"face", false}, {faulty ? "area" : "det"}, {"side", false}});
   if (by == By::depth) narrator.columns({{"face", false}, {"N"}, {"z"}, {"side", false}});
@@ -271,8 +272,8 @@ void set_up(Narrator& narrator, const Task& task, By by, bool faulty) {
 }
 
 /// Every corner must have its place in the picture; behind the eye it has one, too.
-void require_places(const Arguments& arguments, const Task& task, bool behind_too) {
-  if (task.depths_are([&](double w) { return behind_too ? w != 0 : w > 1e-6 * task.radius; })) return;
+void require_places(const Arguments& arguments, const Subject& subject, bool behind_too) {
+  if (subject.depths_are([&](double w) { return behind_too ? w != 0 : w > 1e-6 * subject.radius; })) return;
   refuse(arguments, {"eye", "target", "faces"},
          behind_too ? "corners before the eye or behind it expected, found one beside it"
                     : "corners before the eye expected, found one behind it: clip first");
@@ -280,34 +281,34 @@ void require_places(const Arguments& arguments, const Task& task, bool behind_to
 
 /// What a method looks at.
 template <By by>
-auto seen_by(const Task& task) {
-  if constexpr (by == By::area) return task.outlines();
-  if constexpr (by == By::determinant) return task.clip();
-  if constexpr (by == By::depth) return task.view;
-  if constexpr (by == By::product) return task.rings;
+auto seen_by(const Subject& subject) {
+  if constexpr (by == By::area) return subject.outlines();
+  if constexpr (by == By::determinant) return subject.clip();
+  if constexpr (by == By::depth) return subject.view;
+  if constexpr (by == By::product) return subject.rings;
 }
 
 template <By by, auto method, bool faulty = false>
 void tell_method(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  set_up(narrator, task, by, faulty);
+  const Subject subject = subject_of(narrator.arguments());
+  set_up(narrator, subject, by, faulty);
   // A determinant needs no division; by mistake it comes after one
   if (by == By::area || (by == By::determinant && faulty))
-    require_places(narrator.arguments(), task, by == By::determinant);
-  CullingStory story(narrator.words(), task, by, faulty);
+    require_places(narrator.arguments(), subject, by == By::determinant);
+  CullingStory story(narrator.words(), subject, by, faulty);
   const auto at = [&](dvec3 p) { return story.at(p); };
   narrator.handles("faces", at);
-  if (task.eye_is_near()) narrator.handles("eye", at);
+  if (subject.eye_is_near()) narrator.handles("eye", at);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   std::int64_t drawn = 0;
   const auto draw = [&](std::size_t) { ++drawn; };
-  const auto rings = seen_by<by>(task);
+  const auto rings = seen_by<by>(subject);
   if constexpr (by == By::product)
-    method(spans_of(rings), task.eye, draw, watch);
+    method(spans_of(rings), subject.eye, draw, watch);
   else
     method(spans_of(rings), draw, watch);
-  narrator.result({{"tests", std::ssize(task.faces)}, {"drawn", drawn}});
+  narrator.result({{"tests", std::ssize(subject.faces)}, {"drawn", drawn}});
 }
 
 constexpr auto by_product = [](const auto&... with) { normal_and_view<double>(with...); };
@@ -335,7 +336,7 @@ const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
   static const Sizes sizes{1e-6, 1e9};
   static const auto faces = [] {
-    Parameter parameter = faces_task::faces_parameter(
+    Parameter parameter = faces_subject::faces_parameter(
         "+z: -1,-1,1 1,-1,1 1,1,1 -1,1,1; -z: 1,-1,-1 -1,-1,-1 -1,1,-1 1,1,-1; "
         "+x: 1,-1,1 1,-1,-1 1,1,-1 1,1,1; -x: -1,-1,-1 -1,-1,1 -1,1,1 -1,1,-1; "
         "+y: -1,1,1 1,1,1 1,1,-1 -1,1,-1; -y: -1,-1,-1 1,-1,-1 1,-1,1 -1,-1,1",
@@ -374,7 +375,7 @@ const TopicEntry& entry() {
        .parameters = {faces,
                       parameters::numbers("eye", "2,1.8,2.9", "3,4,5", "where the eye is", parameters::xyz,
                                           sizes),
-                      parameters::instead_of("eye", faces_task::towards_parameter("")),
+                      parameters::instead_of("eye", faces_subject::towards_parameter("")),
                       parameters::numbers("target", "0,0,0", "0,1,0",
                                           "what the eye looks at: the middle of its picture", parameters::xyz,
                                           sizes)},

@@ -18,15 +18,15 @@ constexpr Extent space_place{{0.6, 0.6}, {18.4, 23.4}}, edge_on_place{{22.4, 1.4
 class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double>, Split<double>, Built> {
  public:
   /// cut: polygons on both sides of a plane are.
-  BuildStory(const Words& words, const Task& task, const DTree& tree, bool cut)
+  BuildStory(const Words& words, const Subject& subject, const DTree& tree, bool cut)
       : words_(words),
-        task_(task),
+        subject_(subject),
         tree_(tree),
         cuts_(cut),
-        names_(task.parts),
-        space_(task.reader, space_place, task.points),
+        names_(subject.parts),
+        space_(subject.reader, space_place, subject.points),
         drawing_(tree, tree_place) {
-    for (const DPolygon& polygon : task.polygons) pieces_.push_back({polygon, none, false});
+    for (const DPolygon& polygon : subject.polygons) pieces_.push_back({polygon, none, false});
   }
 
   template <class Step>
@@ -82,7 +82,7 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
     Event event{.text = "built",
                 .facts = {{"nodes", static_cast<std::int64_t>(b.nodes)},
                           {"polygons", static_cast<std::int64_t>(b.polygons)}},
-                .words = {{"faces", task_.polygons.size()}},
+                .words = {{"faces", subject_.polygons.size()}},
                 .ends = true};
     if (cuts_) return event;
     const auto wrong = wrongly_covered();
@@ -173,7 +173,7 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
 
   std::vector<DPolygon> painted() const {
     std::vector<DPolygon> order;
-    back_to_front(tree_, Eye<double>(task_.reader.towards, 0),
+    back_to_front(tree_, Eye<double>(subject_.reader.towards, 0),
                   [&](const DPolygon& p) { order.push_back(p); });
     return order;
   }
@@ -190,7 +190,7 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
   /// Whether the first hides some of the other's border.
   bool covers(const DPolygon& first, const DPolygon& other) const {
     const std::vector<std::vector<dvec3>> rings{first.corners};
-    const HiddenLines lines(rings, distant_viewer(task_.reader.towards),
+    const HiddenLines lines(rings, distant_viewer(subject_.reader.towards),
                             length_between(first.corners[0], first.corners[2]));
     return std::ranges::any_of(sides_of(other.corners), [&](const auto& side) {
       return std::ranges::any_of(lines.pieces(side.first, side.second), &SightPiece::hidden);
@@ -214,7 +214,7 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
     for (const Piece& piece : pieces_) {
       if (piece.here || piece.node == last<PlaneTaken<double>>()->node) here.push_back(piece.polygon);
     }
-    const EdgeOnPicture picture(edge_on_place, plane_taken().plane, task_.reader, here);
+    const EdgeOnPicture picture(edge_on_place, plane_taken().plane, subject_.reader, here);
     picture.add_plane(view, words_.say("plane", {{"name", names_(plane_taken())}}));
     for (const Piece& piece : pieces_) {
       if (!piece.here || piece.node != none) continue;
@@ -238,7 +238,7 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
   }
 
   const Words& words_;
-  const Task& task_;
+  const Subject& subject_;
   const DTree& tree_;
   const bool cuts_;
   PartNames names_;
@@ -249,15 +249,15 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
 
 // --- The methods
 
-void set_up(Narrator& narrator, const Task& task) {
+void set_up(Narrator& narrator, const Subject& subject) {
   narrator.paper(paper_width, paper_height);
-  narrator.subtitle("subtitle", {{"count", task.polygons.size()}, {"towards", task.reader.towards}});
+  narrator.subtitle("subtitle", {{"count", subject.polygons.size()}, {"towards", subject.reader.towards}});
 }
 
 template <bool cut>
 void tell_build(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  set_up(narrator, task);
+  const Subject subject = subject_of(narrator.arguments());
+  set_up(narrator, subject);
   narrator.legend({{Role::boundary, "plane"},
                    {Role::current, "current"},
                    {Role::accepted, "in_front"},
@@ -266,11 +266,11 @@ void tell_build(Narrator& narrator) {
   narrator.add_to_legend(Role::past, "elsewhere");
   narrator.add_to_legend(Role::result, "done");
   const auto built = [&](auto&&... watch) {
-    return cut ? build(task.polygons, ExactSide{}, watch...)
-               : build_uncut(task.polygons, ExactSide{}, watch...);
+    return cut ? build(subject.polygons, ExactSide{}, watch...)
+               : build_uncut(subject.polygons, ExactSide{}, watch...);
   };
   const DTree tree = built();
-  BuildStory story(narrator.words(), task, tree, cut);
+  BuildStory story(narrator.words(), subject, tree, cut);
   narrator.handles("faces", [&](dvec3 p) { return story.at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
@@ -281,10 +281,10 @@ void tell_build(Narrator& narrator) {
 }
 
 /// The names that parts have got while the tree was built.
-PartNames names_after(const Task& task) {
-  PartNames names(task.parts);
+PartNames names_after(const Subject& subject) {
+  PartNames names(subject.parts);
   DPolygon whole;
-  build(task.polygons, ExactSide{}, [&]<class Step>(const Step& step) {
+  build(subject.polygons, ExactSide{}, [&]<class Step>(const Step& step) {
     if constexpr (std::same_as<Step, Placed<double>>) whole = step.polygon;
     if constexpr (std::same_as<Step, Split<double>>) names.cut(whole, step.in_front, step.behind);
   });
@@ -292,17 +292,17 @@ PartNames names_after(const Task& task) {
 }
 
 void tell_walk(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  set_up(narrator, task);
+  const Subject subject = subject_of(narrator.arguments());
+  set_up(narrator, subject);
   narrator.columns({{"number"}, {"polygon", false}, {"eye", false}});
   narrator.legend(
       {{Role::current, "now"}, {Role::input, "drawn"}, {Role::past, "waiting"}, {Role::result, "whole"}});
-  const DTree tree = build(task.polygons);
-  WalkStory story(narrator.words(), task, tree, names_after(task));
+  const DTree tree = build(subject.polygons);
+  WalkStory story(narrator.words(), subject, tree, names_after(subject));
   narrator.handles("faces", [&](dvec3 p) { return story.at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  back_to_front(tree, Eye<double>(task.reader.towards, 0), [](const DPolygon&) {}, watch);
+  back_to_front(tree, Eye<double>(subject.reader.towards, 0), [](const DPolygon&) {}, watch);
   watch(steps::Finished{}, 0);
   narrator.result({{"polygons", static_cast<std::int64_t>(polygon_count(tree))}});
 }
@@ -334,12 +334,12 @@ const TopicEntry& entry() {
                     .function = "build_uncut"}},
        .default_method = "build",
        .columns = {{"plane", false}, {"polygon", false}, {"in_front"}, {"behind"}, {"side", false}},
-       .parameters = {faces_task::faces_parameter(
+       .parameters = {faces_subject::faces_parameter(
                           "A: -6.2,-3.6,-1.2 6.2,-3.6,1.2 6.2,-1.6,1.2 -6.2,-1.6,-1.2; "
                           "B: 6.2,-3.6,-1.2 0,7.1,1.2 -1.7,6.1,1.2 4.5,-4.6,-1.2; "
                           "C: 0,7.2,-1.2 -6.2,-3.5,1.2 -4.5,-4.5,1.2 1.7,6.2,-1.2",
                           "A: 0,0,0 4,0,0 4,3,0; B: 1,1,-1 3,1,-1 3,1,2 1,1,2"),
-                      faces_task::towards_parameter("0.2,-0.4,1")},
+                      faces_subject::towards_parameter("0.2,-0.4,1")},
        .examples = {"--method back_to_front", "--method uncut",
                     "--faces 'A: 0,0,0 4,0,0 4,3,0 0,3,0; B: 1,1,-2 3,1,-2 3,1,2 1,1,2' --towards 1,2,3"},
        .checking = &checking()});

@@ -17,7 +17,7 @@ struct ShownFace {
 class FacesPicture {
  public:
   /// points: all that must have room in the place.
-  FacesPicture(const faces_task::Reader& reader, const Extent& place, const std::vector<dvec3>& points)
+  FacesPicture(const faces_subject::Reader& reader, const Extent& place, const std::vector<dvec3>& points)
       : reader_(reader),
         panel_(place, extent_around(mapped(points, [&](dvec3 p) { return reader.flat(p); }))) {}
 
@@ -91,11 +91,11 @@ class FacesPicture {
     };
     for (std::size_t i = 0; i < faces.size(); ++i) {
       view.add({fmt::format("n {:03}", i), faces[i].role,
-                Text{at(faces_task::seen_place(faces[i].ring, lines, is_clear)), faces[i].name}});
+                Text{at(faces_subject::seen_place(faces[i].ring, lines, is_clear)), faces[i].name}});
     }
   }
 
-  faces_task::Reader reader_;
+  faces_subject::Reader reader_;
   Panel panel_;
 };
 

@@ -11,7 +11,7 @@
 #include "stories/space_drawing.hpp"
 #include "stories/telling.hpp"
 
-namespace gradus::faces_task {
+namespace gradus::faces_subject {
 
 /// Of coordinates: figures can show these.
 inline constexpr Sizes modest_sizes{1e-6, 1e6};
@@ -131,4 +131,4 @@ dvec3 seen_place(const std::vector<dvec3>& ring, const HiddenLines& lines, IsCle
   return clear != seen.end() ? *clear : seen.empty() ? middle : seen.front();
 }
 
-}  // namespace gradus::faces_task
+}  // namespace gradus::faces_subject

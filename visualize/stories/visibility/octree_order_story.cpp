@@ -19,7 +19,7 @@ struct Subject {
   std::vector<dvec3> points;
   int deepest;
   Eye<double> eye;
-  faces_task::Reader reader;
+  faces_subject::Reader reader;
 
   /// Whether so many points lie in a cell that it has children.
   bool splits(const Cube& cell) const {
@@ -42,7 +42,7 @@ Subject subject_of(const Arguments& arguments) {
                   arguments.places("points"),
                   static_cast<int>(arguments.integer("depth")),
                   Eye<double>(eye, far ? 0 : 1),
-                  faces_task::reader_of(arguments)};
+                  faces_subject::reader_of(arguments)};
   for (const dvec3 p : subject.points) {
     if (glm::clamp(p, 0.0, side) != p)
       refuse(arguments, {"points", "side"},
@@ -225,7 +225,7 @@ const TopicEntry& entry() {
                       integer(1, 4, "depth", "2", "3", "how often a cell is cut at most"),
                       numbers("eye", "12,10,5", "3,3,3", "where it is; inside the cube, too", xyz, modest),
                       flag("far", "the eye is infinitely far away, in the direction of --eye"),
-                      faces_task::towards_parameter("4,5,9")},
+                      faces_subject::towards_parameter("4,5,9")},
        .examples = {"--depth 1", "--eye 3,3,3", "--method back_to_front --far --eye 1,2,3"}});
   return topic;
 }

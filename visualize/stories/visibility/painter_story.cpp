@@ -14,29 +14,29 @@ namespace {
 /// What a method sorts by.
 struct KeyKind {
   std::string_view caption;  ///< the key of its text
-  std::function<double(const Task&, dvec3)> of_place;
+  std::function<double(const Subject&, dvec3)> of_place;
   bool of_mean = true;  ///< of the mean of the corners; else the largest of the corners
   bool tests = false, distances = false;
 };
 
-double depth_of(const Task& task, dvec3 p) { return task.depth(p); }
-double distance_of(const Task& task, dvec3 p) {
-  return task.distant() ? task.depth(p) : glm::length(task.from_eye(p));
+double depth_of(const Subject& subject, dvec3 p) { return subject.depth(p); }
+double distance_of(const Subject& subject, dvec3 p) {
+  return subject.distant() ? subject.depth(p) : glm::length(subject.from_eye(p));
 }
-double z_of(const Task&, dvec3 p) { return p.z; }
+double z_of(const Subject&, dvec3 p) { return p.z; }
 
 class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, Moved<double>, Cut<double>,
                                Inserted<double>, Drawn<double>, Finished> {
  public:
   /// pieces: so many will be drawn.
-  OrderStory(const Words& words, const Task& task, KeyKind key, std::size_t pieces)
+  OrderStory(const Words& words, const Subject& subject, KeyKind key, std::size_t pieces)
       : words_(words),
-        task_(task),
+        subject_(subject),
         key_(std::move(key)),
-        names_(task.parts),
+        names_(subject.parts),
         beside_place_(place_below(pieces)),
-        picture_(task),
-        plan_(task, beside_place_),
+        picture_(subject),
+        plan_(subject, beside_place_),
         order_(keys_of_all()) {}
 
   template <class Step>
@@ -210,12 +210,12 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
   /// Of a polygon's corners, from the least to the most.
   std::pair<double, double> keys_of(const DPolygon& polygon) const {
     const auto [least, most] =
-        std::ranges::minmax(mapped(polygon.corners, [&](dvec3 p) { return key_.of_place(task_, p); }));
+        std::ranges::minmax(mapped(polygon.corners, [&](dvec3 p) { return key_.of_place(subject_, p); }));
     return {least, most};
   }
   std::pair<double, double> keys_of_all() const {
-    auto [least, most] = keys_of(task_.polygons.front());
-    for (const DPolygon& polygon : task_.polygons) {
+    auto [least, most] = keys_of(subject_.polygons.front());
+    for (const DPolygon& polygon : subject_.polygons) {
       least = std::min(least, nearest(polygon));
       most = std::max(most, farthest(polygon));
     }
@@ -223,7 +223,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
   }
   Entry key_of(const DPolygon& polygon) const {
     const auto [least, most] = keys_of(polygon);
-    const double key = key_.of_mean ? key_.of_place(task_, mean(polygon)) : most;
+    const double key = key_.of_mean ? key_.of_place(subject_, mean(polygon)) : most;
     return {names_(polygon), least, most, key, role_of(polygon)};
   }
   double nearest(const DPolygon& polygon) const { return keys_of(polygon).first; }
@@ -233,7 +233,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
   std::int64_t beyond(const DPolygon& one, const DPolygon& other) const {
     const auto& plane = other.plane;
     const dvec3 a = plane.a;
-    const int eye = bsp_tree::side_of_eye(plane, task_.view.eye);
+    const int eye = bsp_tree::side_of_eye(plane, subject_.view.eye);
     const dvec3 normal = unit_vector(glm::cross(plane.b - a, plane.c - a));
     return std::ranges::count_if(
         one.corners, [&](dvec3 p) { return eye * glm::dot(normal, p - a) < -1e-9 * length_between(p, a); });
@@ -247,7 +247,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
   std::optional<Wrong> wrong_at(std::size_t number) const {
     const auto& drawn = all<Drawn<double>>();
     for (std::size_t i = 0; i < number; ++i) {
-      if (wrongly_over(task_, drawn[number].polygon, drawn[i].polygon))
+      if (wrongly_over(subject_, drawn[number].polygon, drawn[i].polygon))
         return Wrong{drawn[number].polygon, drawn[i].polygon, number};
     }
     return std::nullopt;
@@ -316,7 +316,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     plan_.add_eye(drawing, words_.say("eye"));
     if (has_passed(Test::depths)) plan_.add_depth(drawing, nearest(*p()));
     if (key_.distances) {
-      for (const DPolygon& polygon : task_.polygons)
+      for (const DPolygon& polygon : subject_.polygons)
         plan_.add_distance(drawing, mean(polygon), Role::measure, names_(polygon),
                            figure_real(key_of(polygon).key));
     }
@@ -328,11 +328,11 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     if (compared()) shown.push_back(has_passed(Test::behind) ? *p() : compared()->q);
     if (const auto* cut = now<Cut<double>>()) shown = {cut->in_front, cut->behind};
     auto plane = of.plane;  // the eye's side above
-    if (bsp_tree::side_of_eye(plane, task_.view.eye) < 0) std::swap(plane.b, plane.c);
+    if (bsp_tree::side_of_eye(plane, subject_.view.eye) < 0) std::swap(plane.b, plane.c);
     std::vector<DPolygon> all_shown = shown;
     all_shown.push_back(of);
     const EdgeOnPicture picture({beside_place_.lower + dvec2{0.4, 0}, beside_place_.upper - dvec2{0, 1.2}},
-                                plane, faces_task::Reader(-task_.forward), all_shown);
+                                plane, faces_subject::Reader(-subject_.forward), all_shown);
     picture.add_plane(drawing, words_.say("plane", {{"name", names_(of)}}));
     for (const DPolygon& polygon : shown)
       picture.add_polygon(drawing, polygon, role_of(polygon), names_(polygon), true);
@@ -340,7 +340,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
   }
 
   const Words& words_;
-  const Task& task_;
+  const Subject& subject_;
   const KeyKind key_;
   PartNames names_;
   const Rectangle beside_place_;
@@ -354,9 +354,9 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
 // --- The methods
 
 /// Its columns are its own where it sorts alone.
-void set_up(Narrator& narrator, const Task& task, bool tests) {
+void set_up(Narrator& narrator, const Subject& subject, bool tests) {
   narrator.paper(paper_width, paper_height);
-  narrator.subtitle("subtitle", {{"count", task.polygons.size()}});
+  narrator.subtitle("subtitle", {{"count", subject.polygons.size()}});
   if (tests)
     return narrator.legend({{Role::current, "p"},
                             {Role::accepted, "safe"},
@@ -376,20 +376,20 @@ void set_up(Narrator& narrator, const Task& task, bool tests) {
 
 template <const KeyKind& key, auto method>
 void tell_order(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
-  set_up(narrator, task, key.tests);
+  const Subject subject = subject_of(narrator.arguments());
+  set_up(narrator, subject, key.tests);
   if (key.tests) {
     narrator.list_below("covered");
     narrator.list_below("tested");
   }
   const auto drop = [](const DPolygon&) {};
-  std::size_t pieces = task.polygons.size();
-  method(task.polygons, task.view, drop,
+  std::size_t pieces = subject.polygons.size();
+  method(subject.polygons, subject.view, drop,
          [&]<class Step>(const Step&) { pieces += std::same_as<Step, Cut<double>>; });
-  OrderStory story(narrator.words(), task, key, pieces);
+  OrderStory story(narrator.words(), subject, key, pieces);
   story.putting_back(line_with(narrator.trace().listing, "put_back("));
   narrator.handles("faces", [&](dvec3 p) { return story.picture().shown_at(p); });
-  method(task.polygons, task.view, drop, narrator.watcher(story));
+  method(subject.polygons, subject.view, drop, narrator.watcher(story));
   if (const auto telling = story.telling()) narrator.telling(*telling);
 }
 
@@ -428,14 +428,14 @@ const TopicEntry& entry() {
             {.name = "descending_mean_z", .standing = Standing::faulty, .tell = tell_order<by_z, by_mean_z>}},
        .default_method = "newell",
        .columns = {{"p", false}, {"q", false}, {"passed", false}},
-       .parameters = {faces_task::faces_parameter(
+       .parameters = {faces_subject::faces_parameter(
                           "A: -6,-3,-5 6,-3,3 6,0,3 -6,0,-5; B: -5,-5,-1 -1,-5,-1 -1,3,-1 -5,3,-1; "
                           "C: 2,-5,-4 5,-5,-4 5,4,-4 2,4,-4; D: -6,-10,-13 7,-10,-13 7,5,-13 -6,5,-13",
                           "A: 0,0,0 4,0,0 4,3,0; B: 1,1,-1 3,1,-1 3,1,2 1,1,2"),
-                      faces_task::towards_parameter("0.3,0.4,1"),
-                      parameters::instead_of("towards",
-                                             parameters::numbers("eye", "", "3,4,20", "where the eye is",
-                                                                 parameters::xyz, faces_task::modest_sizes))},
+                      faces_subject::towards_parameter("0.3,0.4,1"),
+                      parameters::instead_of(
+                          "towards", parameters::numbers("eye", "", "3,4,20", "where the eye is",
+                                                         parameters::xyz, faces_subject::modest_sizes))},
        .examples = {"--method centroid", "--eye 3,4,20",
                     "--faces 'A: 0,0,0 4,0,0 4,3,0 0,3,0; B: 1,1,-2 3,1,-2 3,1,2 1,1,2' --towards 1,2,3"},
        .checking = &checking()});

@@ -7,19 +7,19 @@ namespace gradus::sampling_theorem {
 
 class KernelStory {
  public:
-  KernelStory(const Words& words, const Task& task, std::vector<double> samples, double place)
+  KernelStory(const Words& words, const Subject& subject, std::vector<double> samples, double place)
       : words_(words),
-        task_(task),
+        subject_(subject),
         samples_(std::move(samples)),
         place_(place),
-        panel_({{2.6, 3.4}, {39.4, 24.6}}, {{0, -1.25}, {static_cast<double>(task.count), 1.25}},
+        panel_({{2.6, 3.4}, {39.4, 24.6}}, {{0, -1.25}, {static_cast<double>(subject.count), 1.25}},
                Panel::Fit::stretched) {}
 
   static constexpr int width = 42, height = 26;
 
   void show(Board& board, const steps::Started&) { board.milestone(drawing()); }
   Event say(const steps::Started&) const {
-    return {.text = "kernels.started", .words = {{"x", place_}, {"count", task_.count}}};
+    return {.text = "kernels.started", .words = {{"x", place_}, {"count", subject_.count}}};
   }
   void show(Board& board, const KernelAdded& a) {
     added_ = a;
@@ -40,21 +40,21 @@ class KernelStory {
     board.milestone(drawing());
   }
   Event say(const steps::Finished&) const {
-    const double right = told(task_.value(place_ / task_.fs)), sum = told(added_->sum);
-    const bool enough = is_enough(task_.f, task_.fs);
-    const double alias = alias_of(task_.f, task_.fs);
-    return {
-        .text = enough                  ? "kernels.right"
-                : 2 * alias == task_.fs ? "kernels.half"
-                                        : "kernels.wrong",
-        .facts = {{"sum", sum}, {"right", right}},
-        .words = {{"x", place_},
-                  {"f", task_.f},
-                  {"fs", task_.fs},
-                  {"twice", 2 * std::abs(task_.f)},
-                  {"alias", alias}},
-        .decides = yes_or_no(words_, "question.enough", {{"fs", task_.fs}, {"twice", 2 * std::abs(task_.f)}},
-                             enough, "the sine itself", "an alias")};
+    const double right = told(subject_.value(place_ / subject_.fs)), sum = told(added_->sum);
+    const bool enough = is_enough(subject_.f, subject_.fs);
+    const double alias = alias_of(subject_.f, subject_.fs);
+    return {.text = enough                     ? "kernels.right"
+                    : 2 * alias == subject_.fs ? "kernels.half"
+                                               : "kernels.wrong",
+            .facts = {{"sum", sum}, {"right", right}},
+            .words = {{"x", place_},
+                      {"f", subject_.f},
+                      {"fs", subject_.fs},
+                      {"twice", 2 * std::abs(subject_.f)},
+                      {"alias", alias}},
+            .decides = yes_or_no(words_, "question.enough",
+                                 {{"fs", subject_.fs}, {"twice", 2 * std::abs(subject_.f)}}, enough,
+                                 "the sine itself", "an alias")};
   }
 
  private:
@@ -62,18 +62,18 @@ class KernelStory {
   double partial(double x, std::int64_t kernels) const {
     std::vector<double> first = samples_;
     std::fill(first.begin() + static_cast<std::ptrdiff_t>(kernels), first.end(), 0.0);
-    return reconstruct(std::span<const double>(first), x, Dirichlet{task_.count});
+    return reconstruct(std::span<const double>(first), x, Dirichlet{subject_.count});
   }
   View drawing() const {
     View view;
-    const auto end = static_cast<double>(task_.count);
+    const auto end = static_cast<double>(subject_.count);
     add_axes(view, panel_, "a", {words_.symbol("x"), ""}, 6);
     view.add({"b zero", Role::guide, Stroke{panel_.at({0, 0}), panel_.at({end, 0}), false, false, true}});
-    Path sine = path_of(panel_, 0, end, task_.f * task_.seconds(),
-                        [&](double x) { return task_.value(x / task_.fs); });
+    Path sine = path_of(panel_, 0, end, subject_.f * subject_.seconds(),
+                        [&](double x) { return subject_.value(x / subject_.fs); });
     sine.dashed = true;
     view.add({"c sine", Role::input, sine});
-    for (std::int64_t k = 0; k < task_.count; ++k) {
+    for (std::int64_t k = 0; k < subject_.count; ++k) {
       const bool past = k < kernels_, now = past && !ended_ && k + 1 == kernels_;
       view.add({fmt::format("f sample {:02}", k), now ? Role::current : Role::accepted,
                 Dot{panel_.at({static_cast<double>(k), samples_[static_cast<std::size_t>(k)]}), !past}});
@@ -82,7 +82,7 @@ class KernelStory {
     view.add({"g place", Role::measure, at});
     if (added_ && !ended_) {
       view.add({"d kernel", Role::candidate, path_of(panel_, 0, end, end, [&](double x) {
-                  return added_->sample * Dirichlet{task_.count}(x - static_cast<double>(added_->k));
+                  return added_->sample * Dirichlet{subject_.count}(x - static_cast<double>(added_->k));
                 })});
     }
     if (added_) {
@@ -94,7 +94,7 @@ class KernelStory {
   }
 
   const Words& words_;
-  const Task task_;
+  const Subject subject_;
   const std::vector<double> samples_;
   const double place_;
   const Panel panel_;
@@ -105,29 +105,30 @@ class KernelStory {
 
 inline void tell_reconstruction(Narrator& narrator) {
   const Arguments& given = narrator.arguments();
-  const Task task = task_of(given);
-  const double cycles = task.f * static_cast<double>(task.count) / task.fs, place = *given.number("place");
+  const Subject subject = subject_of(given);
+  const double cycles = subject.f * static_cast<double>(subject.count) / subject.fs,
+               place = *given.number("place");
   if (std::abs(cycles - std::round(cycles)) > 1e-9)
     refuse(given, {"frequency", "samples", "rate"},
            "expected whole cycles in all samples: samples times frequency / rate a whole number");
-  if (!(0 <= place && place <= static_cast<double>(task.count)))
-    refuse("place", "expected a place from 0 to {}, found {}", task.count, place);
+  if (!(0 <= place && place <= static_cast<double>(subject.count)))
+    refuse("place", "expected a place from 0 to {}, found {}", subject.count, place);
   narrator.paper(KernelStory::width, KernelStory::height);
-  narrator.subtitle("subtitle.sine", {{"f", task.f}, {"fs", task.fs}, {"phase", task.phase * 360}});
+  narrator.subtitle("subtitle.sine", {{"f", subject.f}, {"fs", subject.fs}, {"phase", subject.phase * 360}});
   narrator.columns({{"k"}, {"value"}, {"kernel"}, {"sum"}});
   narrator.legend({{Role::input, "sine_dashed"},
                    {Role::accepted, "samples"},
                    {Role::candidate, "kernel"},
                    {Role::result, "sum"},
                    {Role::measure, "place"}});
-  std::vector<double> samples(static_cast<std::size_t>(task.count));
-  sample([&](double t) { return task.value(t); }, task.fs, std::span(samples));
-  KernelStory story(narrator.words(), task, samples, place);
+  std::vector<double> samples(static_cast<std::size_t>(subject.count));
+  sample([&](double t) { return subject.value(t); }, subject.fs, std::span(samples));
+  KernelStory story(narrator.words(), subject, samples, place);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  const double sum = reconstruct(std::span<const double>(samples), place, Dirichlet{task.count}, watch);
+  const double sum = reconstruct(std::span<const double>(samples), place, Dirichlet{subject.count}, watch);
   watch(steps::Finished{}, narrator.line());
-  narrator.telling({task.count + 1, 0});
+  narrator.telling({subject.count + 1, 0});
   narrator.result({{"sum", told(sum)}});
 }
 

@@ -8,7 +8,7 @@
 namespace gradus::sampling_theorem {
 
 /// What is sampled, and how.
-struct Task {
+struct Subject {
   double f, fs, phase;  ///< Hz, samples a second, turns
   std::int64_t count;
 
@@ -21,13 +21,13 @@ struct Task {
 };
 
 /// With `rate`, that one instead of the one given.
-inline Task task_of(const Arguments& given, std::optional<double> rate = {}) {
-  const Task task{*given.number("frequency"), rate ? *rate : *given.number("rate"),
-                  *given.number("phase") / 360, given.integer("samples")};
-  if (!(task.fs > 0)) refuse(given, {"rate", "frequency"}, "expected a number above 0");
-  if (std::abs(task.f) * task.seconds() > 60)
+inline Subject subject_of(const Arguments& given, std::optional<double> rate = {}) {
+  const Subject subject{*given.number("frequency"), rate ? *rate : *given.number("rate"),
+                        *given.number("phase") / 360, given.integer("samples")};
+  if (!(subject.fs > 0)) refuse(given, {"rate", "frequency"}, "expected a number above 0");
+  if (std::abs(subject.f) * subject.seconds() > 60)
     refuse(given, {"frequency", "samples", "rate"}, "expected at most 60 cycles in all samples");
-  return task;
+  return subject;
 }
 
 /// A curve over a panel's whole width, fine enough for so many cycles.
@@ -47,10 +47,10 @@ inline double told(double value) { return std::abs(value) < 1e-12 ? 0 : value; }
 
 class SineStory {
  public:
-  SineStory(const Words& words, const Task& task)
+  SineStory(const Words& words, const Subject& subject)
       : words_(words),
-        task_(task),
-        panel_({{2.6, 10}, {39.4, 24.8}}, {{0, -1}, {task.seconds(), 1}}, Panel::Fit::stretched) {}
+        subject_(subject),
+        panel_({{2.6, 10}, {39.4, 24.8}}, {{0, -1}, {subject.seconds(), 1}}, Panel::Fit::stretched) {}
 
   static constexpr int width = 42, height = 26;
 
@@ -58,13 +58,14 @@ class SineStory {
   void let_drag(Narrator& narrator) const {
     const NumberLine line = frequencies();
     const dvec2 along = line.at(1) - line.at(0);
-    narrator.handle("frequency", 0, line.at(task_.f), along);
-    narrator.handle("rate", 0, line.at(0.5 * task_.fs), 0.5 * along);
+    narrator.handle("frequency", 0, line.at(subject_.f), along);
+    narrator.handle("rate", 0, line.at(0.5 * subject_.fs), 0.5 * along);
   }
 
   void show(Board& board, const steps::Started&) { board.milestone(drawing()); }
   Event say(const steps::Started&) const {
-    return {.text = "sine.started", .words = {{"f", task_.f}, {"fs", task_.fs}, {"count", task_.count}}};
+    return {.text = "sine.started",
+            .words = {{"f", subject_.f}, {"fs", subject_.fs}, {"count", subject_.count}}};
   }
 
   void show(Board& board, const Sampled<double>& s) {
@@ -75,7 +76,7 @@ class SineStory {
     const double value = told(s.value);
     return {.text = "sine.sampled",
             .facts = {{"k", s.k}, {"t", s.time}, {"value", value}},
-            .words = {{"fs", task_.fs}},
+            .words = {{"fs", subject_.fs}},
             .row = {s.k, s.time, value},
             .key = figure_number(s.k),
             .phase = words_.say("phase.samples")};
@@ -96,7 +97,7 @@ class SineStory {
                           {"fs", f.fs},
                           {"rates", rates()},
                           {"half", 0.5 * f.fs},
-                          {"left", told(std::abs(task_.value(0)))}},
+                          {"left", told(std::abs(subject_.value(0)))}},
                 .phase = words_.say("phase.alias")};
     event.decides = yes_or_no(words_, "question.enough", {{"fs", f.fs}, {"twice", 2 * std::abs(f.f)}}, enough,
                               "the sine itself", "an alias");
@@ -111,19 +112,19 @@ class SineStory {
     const bool same = folded_->alias == folded_->f;
     return {.text = same ? "sine.finished" : "sine.finished_alias",
             .facts = {{"most", most()}},
-            .words = {{"f", task_.f}, {"alias", folded_->alias}, {"count", task_.count}}};
+            .words = {{"f", subject_.f}, {"alias", folded_->alias}, {"count", subject_.count}}};
   }
 
  private:
   std::int64_t rates() const {
-    return static_cast<std::int64_t>(std::round((folded_->f - folded_->alias) / task_.fs));
+    return static_cast<std::int64_t>(std::round((folded_->f - folded_->alias) / subject_.fs));
   }
   /// How far the two sines lie apart between the samples.
   double most() const {
     double most = 0;
-    for (int i = 0; i <= 64 * task_.count; ++i) {
-      const double t = i / 64.0 / task_.fs;
-      most = std::max(most, std::abs(task_.value(t) - task_.wave(folded_->alias, t)));
+    for (int i = 0; i <= 64 * subject_.count; ++i) {
+      const double t = i / 64.0 / subject_.fs;
+      most = std::max(most, std::abs(subject_.value(t) - subject_.wave(folded_->alias, t)));
     }
     return std::round(told(most) * 1e4) / 1e4;
   }
@@ -131,14 +132,14 @@ class SineStory {
     View view;
     add_axes(view, panel_, "a", {words_.symbol("t"), ""}, 6);
     view.add({"b zero", Role::guide,
-              Stroke{panel_.at({0, 0}), panel_.at({task_.seconds(), 0}), false, false, true}});
+              Stroke{panel_.at({0, 0}), panel_.at({subject_.seconds(), 0}), false, false, true}});
     view.add({"c sine", Role::input,
-              path_of(panel_, 0, task_.seconds(), task_.f * task_.seconds(),
-                      [&](double t) { return task_.value(t); })});
+              path_of(panel_, 0, subject_.seconds(), subject_.f * subject_.seconds(),
+                      [&](double t) { return subject_.value(t); })});
     if (folded_ && folded_->alias != folded_->f) {
       view.add({"d alias", Role::result,
-                path_of(panel_, 0, task_.seconds(), folded_->alias * task_.seconds(),
-                        [&](double t) { return task_.wave(folded_->alias, t); })});
+                path_of(panel_, 0, subject_.seconds(), folded_->alias * subject_.seconds(),
+                        [&](double t) { return subject_.wave(folded_->alias, t); })});
     }
     for (const Sampled<double>& s : taken_) {
       const bool now = !folded_ && s.k + 1 == std::ssize(taken_);
@@ -152,35 +153,35 @@ class SineStory {
     return view;
   }
   NumberLine frequencies() const {
-    const double half = 0.5 * task_.fs, far = std::max(1.15 * std::abs(task_.f), 0.65 * task_.fs);
-    return {{2.6, 3.6}, {39.4, 3.6}, task_.f < 0 ? -far : -1.3 * half, task_.f < 0 ? 1.3 * half : far};
+    const double half = 0.5 * subject_.fs, far = std::max(1.15 * std::abs(subject_.f), 0.65 * subject_.fs);
+    return {{2.6, 3.6}, {39.4, 3.6}, subject_.f < 0 ? -far : -1.3 * half, subject_.f < 0 ? 1.3 * half : far};
   }
   /// The frequencies in a row: the band between minus and plus half the rate, and the way into it.
   void add_frequencies(View& view) const {
-    const double half = 0.5 * task_.fs;
+    const double half = 0.5 * subject_.fs;
     const NumberLine line = frequencies();
     line.add_to(view, "g", words_.symbol("f"), 8);
     view.add({"h band", Role::candidate, Stroke{line.at(-half), line.at(half)}});
-    view.add({"i frequency", Role::input, Dot{line.at(task_.f)}});
+    view.add({"i frequency", Role::input, Dot{line.at(subject_.f)}});
     if (!folded_ || folded_->alias == folded_->f) return;
     const dvec2 up{0, 1.1};
-    const dvec2 from = line.at(task_.f), to = line.at(folded_->alias);
+    const dvec2 from = line.at(subject_.f), to = line.at(folded_->alias);
     view.add({"j way", Role::measure, Stroke{from + up, to + up, true}});
-    view.add(
-        {"j way name", Role::measure,
-         Text{0.5 * (from + to) + dvec2{0, 2.1}, words_.say("way", {{"rates", rates()}, {"fs", task_.fs}})}});
+    view.add({"j way name", Role::measure,
+              Text{0.5 * (from + to) + dvec2{0, 2.1},
+                   words_.say("way", {{"rates", rates()}, {"fs", subject_.fs}})}});
     view.add({"k alias", Role::result, Dot{to}});
     // The two frequencies beyond the arrow's ends
-    const double side = task_.f < 0 ? -0.7 : 0.7;
+    const double side = subject_.f < 0 ? -0.7 : 0.7;
     const auto hertz = [&](double f) { return words_.say("hertz", {{"f", f}}); };
     view.add({"l frequency", Role::input,
-              Text{from + up + dvec2{side, 0}, hertz(task_.f), side > 0 ? Align::left : Align::right}});
+              Text{from + up + dvec2{side, 0}, hertz(subject_.f), side > 0 ? Align::left : Align::right}});
     view.add({"l alias", Role::result,
               Text{to + up - dvec2{side, 0}, hertz(folded_->alias), side > 0 ? Align::right : Align::left}});
   }
 
   const Words& words_;
-  const Task task_;
+  const Subject subject_;
   const Panel panel_;
   std::vector<Sampled<double>> taken_{};
   std::optional<Folded<double>> folded_{};
@@ -188,9 +189,9 @@ class SineStory {
 };
 
 inline void tell_sine(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
+  const Subject subject = subject_of(narrator.arguments());
   narrator.paper(SineStory::width, SineStory::height);
-  narrator.subtitle("subtitle.sine", {{"f", task.f}, {"fs", task.fs}, {"phase", task.phase * 360}});
+  narrator.subtitle("subtitle.sine", {{"f", subject.f}, {"fs", subject.fs}, {"phase", subject.phase * 360}});
   narrator.list("sample");
   narrator.list_below("alias_of");
   narrator.columns({{"k"}, {"t"}, {"value"}});
@@ -200,16 +201,16 @@ inline void tell_sine(Narrator& narrator) {
                    {Role::candidate, "band"},
                    {Role::measure, "away"},
                    {Role::result, "alias"}});
-  SineStory story(narrator.words(), task);
+  SineStory story(narrator.words(), subject);
   story.let_drag(narrator);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  std::vector<double> samples(static_cast<std::size_t>(task.count));
-  sample([&](double t) { return task.value(t); }, task.fs, std::span(samples), watch);
-  const double alias = alias_of(task.f, task.fs, watch);
+  std::vector<double> samples(static_cast<std::size_t>(subject.count));
+  sample([&](double t) { return subject.value(t); }, subject.fs, std::span(samples), watch);
+  const double alias = alias_of(subject.f, subject.fs, watch);
   watch(steps::Finished{}, 0);
-  narrator.telling({task.count + 1, 0});
-  narrator.result({{"alias", alias}, {"enough", is_enough(task.f, task.fs)}});
+  narrator.telling({subject.count + 1, 0});
+  narrator.result({{"alias", alias}, {"enough", is_enough(subject.f, subject.fs)}});
 }
 
 // --- At exactly twice the frequency -----------------------------------------------------------------------
@@ -221,10 +222,10 @@ struct CameBack {
 
 class TwiceStory {
  public:
-  TwiceStory(const Words& words, const Task& task)
+  TwiceStory(const Words& words, const Subject& subject)
       : words_(words),
-        task_(task),
-        panel_({{2.6, 3.4}, {39.4, 24.4}}, {{0, -1}, {task.seconds(), 1}}, Panel::Fit::stretched) {}
+        subject_(subject),
+        panel_({{2.6, 3.4}, {39.4, 24.4}}, {{0, -1}, {subject.seconds(), 1}}, Panel::Fit::stretched) {}
 
   static constexpr int width = 42, height = 26;
 
@@ -235,9 +236,9 @@ class TwiceStory {
   Event say(const RateJudged<double>& j) const {
     return {.text = "twice.judged",
             .facts = {{"accepted", j.enough}, {"right", is_enough(j.f, j.fs)}},
-            .words = {{"f", task_.f}, {"fs", task_.fs}},
+            .words = {{"f", subject_.f}, {"fs", subject_.fs}},
             .phase = words_.say("phase.rule"),
-            .decides = yes_or_no(words_, "question.twice", {{"fs", task_.fs}, {"f", task_.f}}, j.enough,
+            .decides = yes_or_no(words_, "question.twice", {{"fs", subject_.fs}, {"f", subject_.f}}, j.enough,
                                  "accepted")};
   }
   void show(Board& board, const Sampled<double>& s) {
@@ -256,7 +257,7 @@ class TwiceStory {
   Event say(const CameBack& b) const {
     return {.text = b.size == 0 ? "twice.nothing" : "twice.smaller",
             .facts = {{"size", b.size}},
-            .words = {{"f", task_.f}, {"fs", task_.fs}, {"count", task_.count}},
+            .words = {{"f", subject_.f}, {"fs", subject_.fs}, {"count", subject_.count}},
             .phase = words_.say("phase.back")};
   }
 
@@ -265,14 +266,14 @@ class TwiceStory {
     View view;
     add_axes(view, panel_, "a", {words_.symbol("t"), ""}, 6);
     view.add({"b zero", Role::guide,
-              Stroke{panel_.at({0, 0}), panel_.at({task_.seconds(), 0}), false, false, true}});
-    const double cycles = task_.f * task_.seconds();
+              Stroke{panel_.at({0, 0}), panel_.at({subject_.seconds(), 0}), false, false, true}});
+    const double cycles = subject_.f * subject_.seconds();
     view.add({"c sine", Role::input,
-              path_of(panel_, 0, task_.seconds(), cycles, [&](double t) { return task_.value(t); })});
+              path_of(panel_, 0, subject_.seconds(), cycles, [&](double t) { return subject_.value(t); })});
     if (judged_) {
-      const double first = task_.value(0);
-      view.add({"d back", Role::rejected, path_of(panel_, 0, task_.seconds(), cycles, [&](double t) {
-                  return told(first) * sin_cos_half_turns(t * task_.fs).cos;
+      const double first = subject_.value(0);
+      view.add({"d back", Role::rejected, path_of(panel_, 0, subject_.seconds(), cycles, [&](double t) {
+                  return told(first) * sin_cos_half_turns(t * subject_.fs).cos;
                 })});
     }
     for (const Sampled<double>& s : taken_) {
@@ -284,7 +285,7 @@ class TwiceStory {
   }
 
   const Words& words_;
-  const Task task_;
+  const Subject subject_;
   const Panel panel_;
   std::vector<Sampled<double>> taken_{};
   bool judged_ = false;
@@ -293,23 +294,23 @@ class TwiceStory {
 inline void tell_at_least_twice(Narrator& narrator) {
   const Arguments& given = narrator.arguments();
   const double f = *given.number("frequency");
-  const Task task = task_of(given, 2 * std::abs(f));
+  const Subject subject = subject_of(given, 2 * std::abs(f));
   narrator.paper(TwiceStory::width, TwiceStory::height);
-  narrator.subtitle("subtitle.sine", {{"f", task.f}, {"fs", task.fs}, {"phase", task.phase * 360}});
+  narrator.subtitle("subtitle.sine", {{"f", subject.f}, {"fs", subject.fs}, {"phase", subject.phase * 360}});
   narrator.columns({{"k"}, {"t"}, {"value"}});
   narrator.legend({{Role::input, "sine"},
                    {Role::current, "sample"},
                    {Role::accepted, "samples"},
                    {Role::rejected, "back"}});
-  TwiceStory story(narrator.words(), task);
+  TwiceStory story(narrator.words(), subject);
   const auto watch = narrator.watcher(story);
-  std::vector<double> samples(static_cast<std::size_t>(task.count));
-  sample([&](double t) { return task.value(t); }, task.fs, std::span(samples),
+  std::vector<double> samples(static_cast<std::size_t>(subject.count));
+  sample([&](double t) { return subject.value(t); }, subject.fs, std::span(samples),
          [&](const Sampled<double>& s) { watch(s, 0); });
-  at_least_twice(task.f, task.fs, watch);
-  const double left = std::abs(told(task.value(0)));
+  at_least_twice(subject.f, subject.fs, watch);
+  const double left = std::abs(told(subject.value(0)));
   watch(CameBack{left}, 0);
-  narrator.telling({task.count, 0});
+  narrator.telling({subject.count, 0});
   narrator.result({{"size", left}});
 }
 

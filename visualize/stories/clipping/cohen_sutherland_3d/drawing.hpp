@@ -18,7 +18,7 @@ inline constexpr int paper_width = 36, paper_height = 24;
 
 /// A segment of three coordinates goes with a box, a homogeneous one with the view volume.
 template <int N>
-struct Task {
+struct Subject {
   Segment<N, double> line;
   std::conditional_t<N == 3, AxisBox<3, double>, ViewVolume> region;
   Order order;
@@ -75,9 +75,10 @@ inline std::string place_of(const Words& words, const ViewVolume&, Border face) 
 
 /// Which bit of a code is which face's.
 template <int N>
-void add_order_of_bits(View& view, const Words& words, const Task<N>& task, dvec2 at) {
-  const std::string names = digit_names(
-      task.bits, " · ", [&words](std::size_t face) { return face_name(words, static_cast<Border>(face)); });
+void add_order_of_bits(View& view, const Words& words, const Subject<N>& subject, dvec2 at) {
+  const std::string names = digit_names(subject.bits, " · ", [&words](std::size_t face) {
+    return face_name(words, static_cast<Border>(face));
+  });
   view.add({"z bits", Role::guide, Text{at, words.say("bits", {{"faces", names}}), Align::centre, true}});
 }
 
@@ -94,13 +95,13 @@ void each_part(const std::string& prefix, const State<N>& state, Add add) {
 
 /// The ends as they were given, with their codes where `codes` says so, and the cuts with their faces.
 template <int N, class At>
-void add_ends(View& view, const std::string& prefix, const Words& words, const Task<N>& task,
+void add_ends(View& view, const std::string& prefix, const Words& words, const Subject<N>& subject,
               const State<N>& state, At at, bool codes) {
   for (const bool of_a : {true, false}) {
-    const auto given = of_a ? task.line.a : task.line.b, now = of_a ? state.rest.a : state.rest.b;
+    const auto given = of_a ? subject.line.a : subject.line.b, now = of_a ? state.rest.a : state.rest.b;
     const std::string name = of_a ? "a" : "b";
     const Code code = of_a ? state.first_a : state.first_b;
-    const std::string text = codes ? name + " " + code_text(code, task.bits) : name;
+    const std::string text = codes ? name + " " + code_text(code, subject.bits) : name;
     view.add_named(prefix + " t end " + name, prefix + " u end " + name, Role::input, at(given), text,
                    given != now, name);
   }
@@ -111,7 +112,7 @@ void add_ends(View& view, const std::string& prefix, const Words& words, const T
     const Role role = last ? Role::current : state.accepted && stands ? Role::result : Role::past;
     const std::string number = std::to_string(i + 1);
     view.add_named(prefix + " t cut " + number, prefix + " u cut " + number, role, at(move.to),
-                   codes ? place_of(words, task.region, move.face) : face_name(words, move.face), false,
+                   codes ? place_of(words, subject.region, move.face) : face_name(words, move.face), false,
                    move.of_a ? "a" : "b");
   }
 }
@@ -143,39 +144,39 @@ void add_segment(SpaceDrawing& drawing, const SpaceView& space, const State<N>& 
   });
 }
 
-inline std::vector<dvec3> shown_of(const Task<3>& task) {
-  std::vector<dvec3> shown = corners_of(task.region);
-  shown.insert(shown.begin(), {task.line.a, task.line.b});
+inline std::vector<dvec3> shown_of(const Subject<3>& subject) {
+  std::vector<dvec3> shown = corners_of(subject.region);
+  shown.insert(shown.begin(), {subject.line.a, subject.line.b});
   return shown;
 }
-inline SpaceView space_of(const Task<3>& task) { return {{{3, 2.2}, {33, 23.4}}, shown_of(task)}; }
+inline SpaceView space_of(const Subject<3>& subject) { return {{{3, 2.2}, {33, 23.4}}, shown_of(subject)}; }
 
-inline View view_of(const Words& words, const Task<3>& task, const State<3>& state) {
+inline View view_of(const Words& words, const Subject<3>& subject, const State<3>& state) {
   View view;
-  const std::vector<dvec3> corners = corners_of(task.region), shown = shown_of(task);
-  const SpaceView space = space_of(task);
+  const std::vector<dvec3> corners = corners_of(subject.region), shown = shown_of(subject);
+  const SpaceView space = space_of(subject);
   const auto at = [&](dvec3 p) { return space.at(p); };
   SpaceDrawing drawing = space.drawing();
   add_glass(drawing, space, corners, faces_of_box());
-  if (const auto cut = state.cut()) add_face(view, space, box_face(task.region, *cut));
+  if (const auto cut = state.cut()) add_face(view, space, box_face(subject.region, *cut));
   add_segment(drawing, space, state, [](dvec3 p) { return p; });
   drawing.add_to(view, "box");
-  add_ends(view, "line", words, task, state, at, true);
+  add_ends(view, "line", words, subject, state, at, true);
   std::vector<dvec2> drawn;
   for (const dvec3 p : shown) drawn.push_back(at(p));
   add_directions(view, free_corner({{1.2, 2.6}, {31, 19}}, drawn),
                  {words.symbol("x"), words.symbol("y"), words.symbol("z")});
-  add_order_of_bits(view, words, task, {18, 0.8});
+  add_order_of_bits(view, words, subject, {18, 0.8});
   return view;
 }
 
 /// A plane across the view volume: w to the right, a coordinate up, so that the volume is a wedge.
-inline void add_plane(View& view, const Words& words, const Task<4>& task, const State<4>& state,
+inline void add_plane(View& view, const Words& words, const Subject<4>& subject, const State<4>& state,
                       Extent place) {
-  const int axis = task.plane;
+  const int axis = subject.plane;
   const auto flat = [axis](const dvec4& p) { return dvec2(p.w, p[axis]); };
   const bool depth = axis == 2;  // there the lower face is z = 0
-  const auto& [a, b] = task.line;
+  const auto& [a, b] = subject.line;
   const double far = std::max({a.w, b.w, 0.0});
   Extent world;
   for (const dvec2 p : {dvec2(0), flat(a), flat(b), dvec2(far), dvec2(far, depth ? 0 : -far)}) world.add(p);
@@ -205,7 +206,7 @@ inline void add_plane(View& view, const Words& words, const Task<4>& task, const
             [&](std::string part, Role role, const auto& from, const auto& to, bool dashed) {
               view.add({std::move(part), role, Stroke{at(from), at(to), false, dashed}});
             });
-  add_ends(view, id + "line", words, task, state, at, false);
+  add_ends(view, id + "line", words, subject, state, at, false);
 }
 
 /// The pyramid of the volume's sides, its top at the eye, and the side at which something is cut.
@@ -224,33 +225,33 @@ inline void add_pyramid(View& view, SpaceDrawing& drawing, const SpaceView& spac
 /// Seen from the side: w to the right, y up, x towards the reader.
 inline dvec3 in_space(const dvec4& p) { return {p.w, p.y, -p.x}; }
 /// Of the pyramid.
-inline std::vector<dvec3> base_of(const Task<4>& task) {
-  const double far = std::max({task.line.a.w, task.line.b.w, 0.0});
+inline std::vector<dvec3> base_of(const Subject<4>& subject) {
+  const double far = std::max({subject.line.a.w, subject.line.b.w, 0.0});
   std::vector<dvec3> base;
   for (const dvec2 side : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)}) {
     base.push_back(dvec3(1, side.y, -side.x) * far);
   }
   return base;
 }
-inline SpaceView space_of(const Task<4>& task) {
-  std::vector<dvec3> shown = base_of(task);
-  shown.insert(shown.end(), {dvec3(0), in_space(task.line.a), in_space(task.line.b)});
+inline SpaceView space_of(const Subject<4>& subject) {
+  std::vector<dvec3> shown = base_of(subject);
+  shown.insert(shown.end(), {dvec3(0), in_space(subject.line.a), in_space(subject.line.b)});
   return {{{2, 3.4}, {16.4, 23}}, shown};
 }
 
-inline View view_of(const Words& words, const Task<4>& task, const State<4>& state) {
+inline View view_of(const Words& words, const Subject<4>& subject, const State<4>& state) {
   View view;
-  const std::vector<dvec3> base = base_of(task);
-  const SpaceView space = space_of(task);
+  const std::vector<dvec3> base = base_of(subject);
+  const SpaceView space = space_of(subject);
   const auto at = [&](const dvec4& p) { return space.at(in_space(p)); };
   SpaceDrawing drawing = space.drawing();
   add_pyramid(view, drawing, space, base, state.cut());
   add_segment(drawing, space, state, in_space);
   drawing.add_to(view, "box");
-  add_ends(view, "line", words, task, state, at, true);
+  add_ends(view, "line", words, subject, state, at, true);
   add_directions(view, {1.6, 2.4}, {words.symbol("w"), words.symbol("y"), words.symbol("x")}, true);
-  add_order_of_bits(view, words, task, {18, 0.8});
-  add_plane(view, words, task, state, {{19.4, 2.2}, {35.4, 22.8}});
+  add_order_of_bits(view, words, subject, {18, 0.8});
+  add_plane(view, words, subject, state, {{19.4, 2.2}, {35.4, 22.8}});
   return view;
 }
 

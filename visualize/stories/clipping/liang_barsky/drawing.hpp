@@ -8,7 +8,7 @@
 namespace gradus::liang_barsky {
 
 template <int N>
-struct Task {
+struct Subject {
   Segment<N, double> line;
   AxisBox<N, double> box;
 
@@ -156,38 +156,40 @@ class Ground;
 template <>
 class Ground<2> {
  public:
-  explicit Ground(const Task<2>& task) : task_(task), scene_(task.line, task.box, {{3.2, 9.8}, {35, 26}}) {}
+  explicit Ground(const Subject<2>& subject)
+      : subject_(subject), plane_(subject.line, subject.box, {{3.2, 9.8}, {35, 26}}) {}
 
   static constexpr double least = -1, most = 2;  ///< values of t that are not far away
   void add_box_and_ends(View& view, const Words& words) const {
-    scene_.add_window(view, words);
-    scene_.add_point(view, "end a", Role::input, task_.line.a, task_.line.b, "a");
-    scene_.add_point(view, "end b", Role::input, task_.line.b, task_.line.a, "b");
+    plane_.add_window(view, words);
+    plane_.add_point(view, "end a", Role::input, subject_.line.a, subject_.line.b, "a");
+    plane_.add_point(view, "end b", Role::input, subject_.line.b, subject_.line.a, "b");
   }
   void add_part(View& view, std::string id, Role role, double from, double to, bool dashed) const {
-    scene_.add_line(view, std::move(id), role, {task_.point(from), task_.point(to)}, dashed);
+    plane_.add_line(view, std::move(id), role, {subject_.point(from), subject_.point(to)}, dashed);
   }
   void add_crossing(View& view, const Crossed& c, Role role, const std::string& name,
                     const std::string& quantity) const {
-    const dvec2 at = task_.point(c.t);
-    scene_.add_point(view, c.id(), role, at, at, name, c.leaves(), quantity);
+    const dvec2 at = subject_.point(c.t);
+    plane_.add_point(view, c.id(), role, at, at, name, c.leaves(), quantity);
   }
-  void add_border(View& view, Border border) const { scene_.add_cutting_border(view, border); }
-  void let_drag(Narrator& narrator) const { window_view::let_drag(narrator, scene_); }
+  void add_border(View& view, Border border) const { plane_.add_cutting_border(view, border); }
+  void let_drag(Narrator& narrator) const { window_view::let_drag(narrator, plane_); }
 
  private:
-  const Task<2>& task_;
-  const window_view::Scene scene_;
+  const Subject<2>& subject_;
+  const window_view::DrawnPlane plane_;
 };
 
 template <>
 class Ground<3> {
  public:
-  explicit Ground(const Task<3>& task) : task_(task), space_({{3, 9}, {33, 26}}, corners_and_ends(task)) {}
+  explicit Ground(const Subject<3>& subject)
+      : subject_(subject), space_({{3, 9}, {33, 26}}, corners_and_ends(subject)) {}
 
   static constexpr double least = -0.5, most = 1.5;
   void add_box_and_ends(View& view, const Words& words) const {
-    add_box(view, space_, task_.box);
+    add_box(view, space_, subject_.box);
     add_directions(view, {1.2, 22.4}, {words.symbol("x"), words.symbol("y"), words.symbol("z")});
     view.add_named("end a", Role::input, at(0), "a");
     view.add_named("end b", Role::input, at(1), "b");
@@ -200,21 +202,21 @@ class Ground<3> {
     if (c.t < 0 || 1 < c.t) return;
     view.add_named(c.id(), role, at(c.t), name, c.leaves(), quantity);
   }
-  void add_border(View& view, Border face) const { add_face(view, space_, box_face(task_.box, face)); }
+  void add_border(View& view, Border face) const { add_face(view, space_, box_face(subject_.box, face)); }
   void let_drag(Narrator& narrator) const {
     for (const std::string_view drawn : {"space_line", "box"})
       narrator.handles(drawn, [&](dvec3 p) { return space_.at(p); });
   }
 
  private:
-  static std::vector<dvec3> corners_and_ends(const Task<3>& task) {
-    std::vector<dvec3> points{task.line.a, task.line.b};
-    for (int corner = 0; corner < 8; ++corner) points.push_back(box_corner(task.box, corner));
+  static std::vector<dvec3> corners_and_ends(const Subject<3>& subject) {
+    std::vector<dvec3> points{subject.line.a, subject.line.b};
+    for (int corner = 0; corner < 8; ++corner) points.push_back(box_corner(subject.box, corner));
     return points;
   }
-  dvec2 at(double t) const { return space_.at(task_.point(t)); }
+  dvec2 at(double t) const { return space_.at(subject_.point(t)); }
 
-  const Task<3>& task_;
+  const Subject<3>& subject_;
   const SpaceView space_;
 };
 

@@ -13,7 +13,7 @@ using Disc = Circle<double>;
 inline constexpr int paper_width = 36, paper_height = 27;
 
 /// What all steps are drawn from.
-struct Scene {
+struct Subject {
   Ends segment;
   Disc circle;
   bool has_line;              ///< the method knows values of t
@@ -50,7 +50,7 @@ inline Extent scale_of(const Ends& s, const Disc& c) {
   return {t.lower - 0.15, t.upper + 0.15};
 }
 
-inline Scene scene_of(const Ends& s, const Disc& c, bool has_line) {
+inline Subject subject_of(const Ends& s, const Disc& c, bool has_line) {
   const Extent t = scale_of(s, c);
   return {
       .segment = s,
@@ -65,33 +65,33 @@ inline Scene scene_of(const Ends& s, const Disc& c, bool has_line) {
 /// The drawing, as steps add to it.
 class ChordDrawing {
  public:
-  ChordDrawing(const Words& words, const Scene& scene) : words_(words), scene_(scene) {}
+  ChordDrawing(const Words& words, const Subject& subject) : words_(words), subject_(subject) {}
   const View& view() const { return view_; }
 
   void add_input() {
-    const auto& [a, b] = scene_.segment;
+    const auto& [a, b] = subject_.segment;
     view_.add(
-        {"a circle", Role::boundary, Path{scene_.panel.at(circle_drawing::whole(scene_.circle)), true}});
-    add_point("a centre", Role::boundary, scene_.circle.centre, words_.say("centre"));
+        {"a circle", Role::boundary, Path{subject_.panel.at(circle_drawing::whole(subject_.circle)), true}});
+    add_point("a centre", Role::boundary, subject_.circle.centre, words_.say("centre"));
     add_stroke("b segment", Role::input, a, b, true);
     add_point("b from", Role::input, a, words_.say("from"));
     if (a != b) add_point("b to", Role::input, b, words_.say("to"));
-    add_axes(view_, scene_.panel, "plane", {words_.symbol("x"), words_.symbol("y")});
-    if (!scene_.has_line) return;
-    scene_.line.add_to(view_, "t", words_.symbol("t"));
-    view_.add({"c segment t", Role::input, Stroke{scene_.line.at(0), scene_.line.at(1)}});
-    view_.add({"c from t", Role::input, Dot{scene_.line.at(0)}});
-    view_.add({"c to t", Role::input, Dot{scene_.line.at(1)}});
+    add_axes(view_, subject_.panel, "plane", {words_.symbol("x"), words_.symbol("y")});
+    if (!subject_.has_line) return;
+    subject_.line.add_to(view_, "t", words_.symbol("t"));
+    view_.add({"c segment t", Role::input, Stroke{subject_.line.at(0), subject_.line.at(1)}});
+    view_.add({"c from t", Role::input, Dot{subject_.line.at(0)}});
+    view_.add({"c to t", Role::input, Dot{subject_.line.at(1)}});
   }
 
   /// The whole line, dashed, and the perpendicular from the centre.
   void add_perpendicular() {
-    const dvec2 d = scene_.segment.b - scene_.segment.a, centre = scene_.circle.centre;
+    const dvec2 d = subject_.segment.b - subject_.segment.a, centre = subject_.circle.centre;
     const double size = std::max(std::abs(d.x), std::abs(d.y));
     if (!(size > 0)) return;
-    const Chord chord = chord_of(scene_.segment, {centre, 0}, 0);
+    const Chord chord = chord_of(subject_.segment, {centre, 0}, 0);
     const dvec2 foot = centre + dvec2(chord.foot_x.value, chord.foot_y.value);
-    const Extent shown = scene_.panel.shown();
+    const Extent shown = subject_.panel.shown();
     const dvec2 reach = (shown.size().x + shown.size().y) * glm::normalize(d / size);
     add_stroke("b line", Role::guide, foot - reach, foot + reach, false, true);
     add_stroke("e perpendicular", Role::measure, centre, foot);
@@ -99,12 +99,12 @@ class ChordDrawing {
   }
 
   void add_chord(double foot, double half) {
-    const dvec2 d = scene_.segment.b - scene_.segment.a, middle = scene_.segment.a + foot * d;
+    const dvec2 d = subject_.segment.b - subject_.segment.a, middle = subject_.segment.a + foot * d;
     view_.marks.erase("b line");
     add_stroke("b line", Role::guide, middle - 1.4 * half * d, middle + 1.4 * half * d, false, true);
     add_stroke("e half", Role::measure, middle, middle + half * d);
-    if (const dvec2 name = middle + 0.5 * half * d; scene_.panel.shown().holds(name)) {
-      view_.add({"e half name", Role::measure, Label{scene_.panel.at(name), words_.say("half")}});
+    if (const dvec2 name = middle + 0.5 * half * d; subject_.panel.shown().holds(name)) {
+      view_.add({"e half name", Role::measure, Label{subject_.panel.at(name), words_.say("half")}});
     }
     if (shown(foot)) add_t("foot", Role::measure, foot, words_.say("foot"), true);
   }
@@ -117,8 +117,8 @@ class ChordDrawing {
   }
 
   void add_limits(double first, double last) {
-    add_band("c kept t", Role::accepted, scene_.line.at(first), scene_.line.at(last));
-    add_part("d kept", Role::accepted, part(scene_.segment.a, scene_.segment.b, first, last));
+    add_band("c kept t", Role::accepted, subject_.line.at(first), subject_.line.at(last));
+    add_part("d kept", Role::accepted, part(subject_.segment.a, subject_.segment.b, first, last));
   }
 
   /// An end that was told from the circle looks as it lies.
@@ -137,35 +137,35 @@ class ChordDrawing {
     std::erase_if(view_.marks, [](const auto& mark) {
       return mark.first.starts_with("d ") || mark.first.starts_with("e ");
     });
-    if (!scene_.has_line) {
+    if (!subject_.has_line) {
       view_.marks.erase("b from name");
       view_.marks.erase("b to name");
     }
     if (kept) add_part("h result", Role::result, *kept);
-    if (!wrong || !scene_.right) return;
-    add_stroke("e right", Role::measure, scene_.right->a, scene_.right->b);
-    add_point("e right at", Role::measure, scene_.right->b, words_.say("right"), true);
+    if (!wrong || !subject_.right) return;
+    add_stroke("e right", Role::measure, subject_.right->a, subject_.right->b);
+    add_point("e right at", Role::measure, subject_.right->b, words_.say("right"), true);
   }
 
  private:
-  bool shown(double t) const { return scene_.t.lower.x <= t && t <= scene_.t.upper.x; }
+  bool shown(double t) const { return subject_.t.lower.x <= t && t <= subject_.t.upper.x; }
 
   void add_point(const std::string& id, Role role, dvec2 at, const std::string& name, bool ring = false) {
-    circle_drawing::add_point(view_, scene_.panel, id, role, at, name, ring);
+    circle_drawing::add_point(view_, subject_.panel, id, role, at, name, ring);
   }
   void add_stroke(std::string id, Role role, dvec2 a, dvec2 b, bool arrow = false, bool dashed = false) {
-    circle_drawing::add_stroke(view_, scene_.panel, std::move(id), role, a, b, arrow, dashed);
+    circle_drawing::add_stroke(view_, subject_.panel, std::move(id), role, a, b, arrow, dashed);
   }
   /// A value on the number line.
   void add_t(const std::string& id, Role role, double t, const std::string& name, bool ring = false) {
     constexpr dvec2 name_up{0, 1.5};
-    view_.add({"c " + id + " t", role, Dot{scene_.line.at(t), ring}});
-    view_.add({"c " + id + " t name", role, Text{scene_.line.at(t) + name_up, name}});
+    view_.add({"c " + id + " t", role, Dot{subject_.line.at(t), ring}});
+    view_.add({"c " + id + " t name", role, Text{subject_.line.at(t) + name_up, name}});
   }
   /// A point of the circle: a dot where the line enters, a ring where it leaves.
   void add_value(const std::string& id, double t, const std::string& name, bool leaves) {
     const Role role = leaves ? Role::past : Role::candidate;
-    const dvec2 at = scene_.segment.a + t * (scene_.segment.b - scene_.segment.a);
+    const dvec2 at = subject_.segment.a + t * (subject_.segment.b - subject_.segment.a);
     add_point("g " + id, role, at, name, leaves);
     if (shown(t)) add_t(id, role, t, fmt::format("{} {}", name, figure_real(t)), leaves);
     for (auto& [key, mark] : view_.marks) {
@@ -175,9 +175,9 @@ class ChordDrawing {
 
   /// A part of the segment as a band, so that it is seen on the line.
   void add_part(const std::string& id, Role role, const Ends& kept) {
-    const auto part = circle_drawing::shown_part(scene_.panel, kept.a, kept.b);
+    const auto part = circle_drawing::shown_part(subject_.panel, kept.a, kept.b);
     if (!part) return;
-    const dvec2 a = scene_.panel.at(part->first), b = scene_.panel.at(part->second);
+    const dvec2 a = subject_.panel.at(part->first), b = subject_.panel.at(part->second);
     view_.add({id + " from", role, Dot{a}});
     if (a == b) return;
     view_.add({id, role, Stroke{a, b}});
@@ -193,7 +193,7 @@ class ChordDrawing {
   }
 
   const Words& words_;
-  const Scene& scene_;
+  const Subject& subject_;
   View view_;
 };
 

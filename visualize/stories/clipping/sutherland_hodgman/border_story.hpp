@@ -11,8 +11,8 @@ class BorderStory : public PlaneDrawing {
   using PlaneDrawing::show;
 
   /// right: for faulty methods the area that is right.
-  BorderStory(const Words& words, const Given& given, std::optional<double> right)
-      : PlaneDrawing(words, given), right_(right) {}
+  BorderStory(const Words& words, const Subject& subject, std::optional<double> right)
+      : PlaneDrawing(words, subject), right_(right) {}
 
   void show(Board& board, const VertexTested<double>& t) {
     begin_border(t.border);

@@ -15,7 +15,7 @@ using Points = std::vector<dvec2>;
 inline constexpr int plane_width = 36, plane_height = 27;
 
 /// What a run was given.
-struct Given {
+struct Subject {
   std::vector<Points> rings;                      ///< the outline, and perhaps holes
   std::optional<ConvexWindow<double>> oblique{};  ///< instead of the rectangle
   Rectangle<double> rectangle{};
@@ -52,12 +52,12 @@ inline double area_of(const Piece<double>& piece) {
 }
 
 /// The plane as the paper shows it.
-inline Panel panel_of(const Given& given) {
+inline Panel panel_of(const Subject& subject) {
   Extent all;
-  for (const Points& ring : given.rings) {
+  for (const Points& ring : subject.rings) {
     for (const dvec2 p : ring) all.add(p);
   }
-  for (const dvec2 p : given.window()) all.add(p);
+  for (const dvec2 p : subject.window()) all.add(p);
   return tight_panel({{3, 3}, {plane_width - 1.5, plane_height - 1.2}}, widened(all, 0.015));
 }
 
@@ -98,9 +98,9 @@ class Names {
 /// The drawing that a story adds to. What begins with "f " is pointed at by one step alone.
 class PlaneDrawing {
  public:
-  PlaneDrawing(const Words& words, const Given& given)
-      : words_(words), given_(given), panel_(panel_of(given)) {
-    for (const Points& ring : given.rings) {
+  PlaneDrawing(const Words& words, const Subject& subject)
+      : words_(words), subject_(subject), panel_(panel_of(subject)) {
+    for (const Points& ring : subject.rings) {
       Ring<double> vertices;
       for (const dvec2 p : ring) vertices.push_back({p, static_cast<int>(vertices.size()), {}, {}, {}});
       rest_.push_back(vertices);
@@ -116,9 +116,9 @@ class PlaneDrawing {
   }
   Event say(const steps::Started&) const {
     std::string order;
-    for (const int border : given_.order) order += (order.empty() ? "" : ", ") + name_of_border(border);
+    for (const int border : subject_.order) order += (order.empty() ? "" : ", ") + name_of_border(border);
     return {.text = "started",
-            .words = {{"corners", given_.outline().size()}, {"order", order}},
+            .words = {{"corners", subject_.outline().size()}, {"order", order}},
             .level = Level::idea};
   }
 
@@ -135,7 +135,7 @@ class PlaneDrawing {
     border_ = border;
     erase("d ");
     show_rest("c ring", Role::accepted);
-    const Segment<2, double> line = given_.border(border);
+    const Segment<2, double> line = subject_.border(border);
     view_.add({"a outside", Role::measure, Area{{panel_.at(right_of(line, panel_.shown()))}}});
     if (const auto stroke = across(line, panel_.shown())) add_border(*stroke);
     return true;
@@ -167,7 +167,7 @@ class PlaneDrawing {
   }
 
   const Words& words_;
-  const Given& given_;
+  const Subject& subject_;
   const Panel panel_;
   View view_;
   Names names_;
@@ -175,7 +175,7 @@ class PlaneDrawing {
  private:
   std::string text_of_border(std::string_view key, int border) const {
     constexpr std::array<std::string_view, 4> names{"left", "right", "bottom", "top"};
-    if (given_.oblique) return words_.say(fmt::format("{}numbered", key), {{"number", border + 1}});
+    if (subject_.oblique) return words_.say(fmt::format("{}numbered", key), {{"number", border + 1}});
     return words_.say(fmt::format("{}{}", key, names[static_cast<std::size_t>(border)]));
   }
   /// The border as far as it is seen, and near its upper end which side is which.
@@ -193,18 +193,18 @@ class PlaneDrawing {
     put_side("b window border out", Role::measure, outward, "side.outside");
   }
   void add_input() {
-    view_.add({"b window", Role::boundary, Path{panel_.at(given_.window()), true}});
+    view_.add({"b window", Role::boundary, Path{panel_.at(subject_.window()), true}});
     add_axes(view_, panel_, "a axes", {words_.symbol("x"), words_.symbol("y")});
-    if (given_.oblique) {
-      for (const int border : given_.order) {
-        const Segment<2, double> line = given_.border(border);
+    if (subject_.oblique) {
+      for (const int border : subject_.order) {
+        const Segment<2, double> line = subject_.border(border);
         view_.add({fmt::format("b border {:03}", border), Role::boundary,
                    Label{panel_.at(0.5 * line.a + 0.5 * line.b), name_of_border(border)}});
       }
     }
     std::size_t before = 0;  // corners of earlier rings
-    for (std::size_t r = 0; r < given_.rings.size(); ++r) {
-      const Points& ring = given_.rings[r];
+    for (std::size_t r = 0; r < subject_.rings.size(); ++r) {
+      const Points& ring = subject_.rings[r];
       view_.add({fmt::format("b given {}", r), Role::past, Path{panel_.at(ring), true, true}});
       for (std::size_t i = 0; i < ring.size() && ring.size() <= 24; ++i) {
         const std::size_t n = before + i;

@@ -8,7 +8,7 @@
 namespace gradus::perspective {
 namespace {
 
-struct BentTask {
+struct BentSubject {
   bool bent;  ///< the notes' transformation
   double near, far, wall;
   dvec3 from, to;
@@ -19,32 +19,32 @@ struct BentTask {
   double depth_of_wall() const { return image_of({0, 0, wall}).z; }
 };
 
-BentTask task_of(const Arguments& arguments, bool bent) {
-  const BentTask task{.bent = bent,
-                      .near = distance_of(arguments),
-                      .far = *arguments.number("far"),
-                      .wall = *arguments.number("wall"),
-                      .from = vector_of(arguments, "from"),
-                      .to = vector_of(arguments, "to"),
-                      .samples = static_cast<int>(arguments.integer("samples"))};
-  if (!(task.far > task.near)) {
+BentSubject subject_of(const Arguments& arguments, bool bent) {
+  const BentSubject subject{.bent = bent,
+                            .near = distance_of(arguments),
+                            .far = *arguments.number("far"),
+                            .wall = *arguments.number("wall"),
+                            .from = vector_of(arguments, "from"),
+                            .to = vector_of(arguments, "to"),
+                            .samples = static_cast<int>(arguments.integer("samples"))};
+  if (!(subject.far > subject.near)) {
     refuse(arguments, {"far", "distance"},
-           fmt::format("expected a far plane beyond the distance {}, not at {}", task.near, task.far));
+           fmt::format("expected a far plane beyond the distance {}, not at {}", subject.near, subject.far));
   }
   const auto between = [&](std::string_view name, double z) {
-    if (task.near <= z && z <= task.far) return;
+    if (subject.near <= z && z <= subject.far) return;
     refuse(arguments, {name, "distance", "far"},
            fmt::format("expected a depth z of {} from the distance {} to the far plane {}, not {}", name,
-                       task.near, task.far, z));
+                       subject.near, subject.far, z));
   };
-  between("from", task.from.z);
-  between("to", task.to.z);
-  between("wall", task.wall);
-  const double a = task.image_of(task.from).x, b = task.image_of(task.to).x;
+  between("from", subject.from.z);
+  between("to", subject.to.z);
+  between("wall", subject.wall);
+  const double a = subject.image_of(subject.from).x, b = subject.image_of(subject.to).x;
   if (std::abs(a - b) < 1e-6 * (std::abs(a) + std::abs(b))) {
     refuse(arguments, {"to", "from"}, "expected a line whose ends are seen at two different x");
   }
-  return task;
+  return subject;
 }
 
 /// A point of the line.
@@ -54,11 +54,11 @@ struct Sample {
 };
 
 /// The ends first, for the straight line runs between them.
-std::vector<Sample> samples_of(const BentTask& task) {
-  std::vector<Sample> samples{{"A", task.from}, {"B", task.to}};
-  for (int i = 1; i <= task.samples; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(task.samples + 1);
-    samples.push_back({fmt::format("M{}", i), task.from + share * (task.to - task.from)});
+std::vector<Sample> samples_of(const BentSubject& subject) {
+  std::vector<Sample> samples{{"A", subject.from}, {"B", subject.to}};
+  for (int i = 1; i <= subject.samples; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(subject.samples + 1);
+    samples.push_back({fmt::format("M{}", i), subject.from + share * (subject.to - subject.from)});
   }
   return samples;
 }
@@ -67,15 +67,18 @@ class BentStory
     : public Past<steps::Started, Finer<Multiplied<double>>, Divided<double>, Finer<Scaled<double>>,
                   Projected<double>, Untold<Unseen<double>>, steps::Finished> {
  public:
-  BentStory(const Words& words, const BentTask& task)
-      : words_(words), task_(task), a_(task.image_of(task.from)), b_(task.image_of(task.to)) {
+  BentStory(const Words& words, const BentSubject& subject)
+      : words_(words),
+        subject_(subject),
+        a_(subject.image_of(subject.from)),
+        b_(subject.image_of(subject.to)) {
     Extent space, image;
-    for (const dvec3 p : {task.from, task.to}) space.add({p.x, p.z});
+    for (const dvec3 p : {subject.from, subject.to}) space.add({p.x, p.z});
     space.add({0, 0});
-    space.add({0, std::min(task.far, std::max({task.from.z, task.to.z, task.wall}) * 1.1)});
+    space.add({0, std::min(subject.far, std::max({subject.from.z, subject.to.z, subject.wall}) * 1.1)});
     space_ = Panel({{3.4, 2.6}, {17, 21.4}}, widened(space, 0.02));
     const double least = std::min(a_.x, b_.x), most = std::max(a_.x, b_.x), margin = 0.12 * (most - least);
-    for (const double z : {a_.z, b_.z, task.depth_of_wall()}) {
+    for (const double z : {a_.z, b_.z, subject.depth_of_wall()}) {
       image.add({least - margin, depth(z)});
       image.add({most + margin, depth(z)});
     }
@@ -91,10 +94,10 @@ class BentStory
   double worst() const { return worst_at() ? error_at(image(*worst_at())) : 0; }
 
   Event say(const steps::Started&) const {
-    return {.text = task_.bent ? "started.keep_z" : "started.transformation",
-            .words = {{"wall", real(task_.wall)},
-                      {"near", real(task_.near)},
-                      {"far", real(task_.far)},
+    return {.text = subject_.bent ? "started.keep_z" : "started.transformation",
+            .words = {{"wall", real(subject_.wall)},
+                      {"near", real(subject_.near)},
+                      {"far", real(subject_.far)},
                       {"first", depth(0)},
                       {"last", depth(1)}},
             .level = Level::idea};
@@ -114,7 +117,7 @@ class BentStory
     return {.text = "scaled_point",
             .facts = {{"point", at_hand().name}, {"factor", s.factor}},
             .words = {{"name", at_hand().name},
-                      {"d", real(task_.near)},
+                      {"d", real(subject_.near)},
                       {"z", s.point.z},
                       {"factor", real(s.factor)}},
             .key = at_hand().name,
@@ -127,15 +130,15 @@ class BentStory
   }
 
   Event say(const steps::Finished&) const {
-    const double wall = task_.depth_of_wall();
+    const double wall = subject_.depth_of_wall();
     bool wrong_surface = false;
     for (std::size_t i = 2; i < arrived(); ++i)
       wrong_surface |= (image(i).z < wall) != (interpolated(image(i).x).z < wall);
     return {.text = is_off(worst()) ? (wrong_surface ? "done.wrong_surface" : "done.bent")
-                    : task_.bent    ? "done.level"
+                    : subject_.bent ? "done.level"
                                     : "done.transformation",
             .facts = {{"largest_error", worst(), "error"}},
-            .words = {{"error", real(difference(worst()))}, {"wall", real(task_.wall)}}};
+            .words = {{"error", real(difference(worst()))}, {"wall", real(subject_.wall)}}};
   }
 
   View draw() const {
@@ -160,7 +163,7 @@ class BentStory
   dvec2 in_space(dvec3 p) const { return space_.at({p.x, p.z}); }
   dvec2 in_image(dvec3 p) const { return image_.at({p.x, depth(p.z)}); }
   /// A depth after the transformation, and a difference of two, in the reader's notation; the notes keep z.
-  double depth(double z) const { return task_.bent ? z : words_.notation().depth_of(z); }
+  double depth(double z) const { return subject_.bent ? z : words_.notation().depth_of(z); }
   double difference(double z) const { return depth(z) - depth(0); }
   /// What stands between A and B at this x: a scan line's depth.
   dvec3 interpolated(double x) const { return {x, 0, interpolated_depth(a_, b_, x)}; }
@@ -172,7 +175,7 @@ class BentStory
   /// How many have theirs.
   std::size_t arrived() const { return all<Divided<double>>().size() + all<Projected<double>>().size(); }
   dvec3 image(std::size_t i) const {
-    return task_.bent ? all<Projected<double>>()[i].image : all<Divided<double>>()[i].ndc;
+    return subject_.bent ? all<Projected<double>>()[i].image : all<Divided<double>>()[i].ndc;
   }
   std::optional<std::size_t> worst_at() const {
     std::optional<std::size_t> worst;
@@ -205,7 +208,7 @@ class BentStory
 
   /// The depth that a scan line has there.
   Decision before_wall(double guess) const {
-    const double wall = task_.depth_of_wall();
+    const double wall = subject_.depth_of_wall();
     const bool grows = depth(0) < depth(1);
     return yes_or_no(words_, grows ? "question.before_wall" : "question.before_wall_falling",
                      {{"name", at_hand().name}, {"guess", real(depth(guess))}, {"wall", real(depth(wall))}},
@@ -239,17 +242,17 @@ class BentStory
     const auto level = [&](double depth) {
       return Stroke{space_.at({shown.lower.x, depth}), space_.at({shown.upper.x, depth})};
     };
-    view.add({"a plane", Role::guide, level(task_.near)});
-    view.add({"b wall", Role::boundary, level(task_.wall)});
+    view.add({"a plane", Role::guide, level(subject_.near)});
+    view.add({"b wall", Role::boundary, level(subject_.wall)});
     view.add({"f wall name in space", Role::boundary,
-              Label{space_.at({shown.upper.x - 0.1 * shown.size().x, task_.wall}), words_.say("wall")}});
-    view.add({"c line", Role::input, Stroke{in_space(task_.from), in_space(task_.to)}});
+              Label{space_.at({shown.upper.x - 0.1 * shown.size().x, subject_.wall}), words_.say("wall")}});
+    view.add({"c line", Role::input, Stroke{in_space(subject_.from), in_space(subject_.to)}});
     view.add_named("e eye", "f eye name", Role::input, space_.at({0, 0}), words_.shared("projection", "eye"));
   }
 
   void add_wall_in_image(View& view) const {
     const Extent shown = image_.shown();
-    const double wall = depth(task_.depth_of_wall());
+    const double wall = depth(subject_.depth_of_wall());
     view.add({"b wall image", Role::boundary,
               Stroke{image_.at({shown.lower.x, wall}), image_.at({shown.upper.x, wall})}});
     view.add({"f wall name", Role::boundary,
@@ -259,13 +262,13 @@ class BentStory
   /// What became of the line, and where it was bent what a scan line draws.
   void add_line_in_image(View& view) const {
     const Stroke chord{in_image(a_), in_image(b_)};
-    if (!task_.bent) return view.add({"d curve", Role::result, chord});
+    if (!subject_.bent) return view.add({"d curve", Role::result, chord});
     view.add({"c chord", Role::candidate, chord});
     std::vector<dvec2> curve;
     constexpr int pieces = 64;
     for (int i = 0; i <= pieces; ++i) {
       const double share = static_cast<double>(i) / pieces;
-      curve.push_back(in_image(task_.image_of(task_.from + share * (task_.to - task_.from))));
+      curve.push_back(in_image(subject_.image_of(subject_.from + share * (subject_.to - subject_.from))));
     }
     view.add({"d curve", Role::result, Path{curve, false}});
   }
@@ -281,29 +284,29 @@ class BentStory
   }
 
   const Words& words_;
-  const BentTask& task_;
+  const BentSubject& subject_;
   const dvec3 a_, b_;  ///< the ends' images
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, image_ = space_;
-  const std::vector<Sample> samples_ = samples_of(task_);
+  const std::vector<Sample> samples_ = samples_of(subject_);
 };
 
 /// The ends of the line, the plane at its left end and the wall at its right one.
-void let_drag(Narrator& narrator, const BentTask& task, const Panel& space) {
+void let_drag(Narrator& narrator, const BentSubject& subject, const Panel& space) {
   for (const std::string_view end : {"from", "to"})
     narrator.handles(end, [&](dvec3 p) { return space.at({p.x, p.z}); });
   const auto [lower, upper] = space.shown();
   const dvec2 along{0, space.scale().y};
-  narrator.handle("distance", 0, space.at({lower.x, task.near}), along);
-  narrator.handle("wall", 0, space.at({upper.x, task.wall}), along);
+  narrator.handle("distance", 0, space.at({lower.x, subject.near}), along);
+  narrator.handle("wall", 0, space.at({upper.x, subject.wall}), along);
 }
 
 /// take(point, observer): what the method does with a point.
 template <class Take>
-void tell_line(Narrator& narrator, const BentTask& task, const Take& take) {
-  BentStory story(narrator.words(), task);
+void tell_line(Narrator& narrator, const BentSubject& subject, const Take& take) {
+  BentStory story(narrator.words(), subject);
   require_scale(story.image_panel(), narrator.arguments(), {"from", "to", "wall", "distance", "far"});
-  let_drag(narrator, task, story.space_panel());
-  narrator.subtitle("subtitle.line", {{"from", place_text(task.from)}, {"to", place_text(task.to)}});
+  let_drag(narrator, subject, story.space_panel());
+  narrator.subtitle("subtitle.line", {{"from", place_text(subject.from)}, {"to", place_text(subject.to)}});
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"point", false}, {"x_image"}, {"z_image"}, {"interpolated"}, {"error"}});
   narrator.legend({{Role::current, "point"},
@@ -318,17 +321,18 @@ void tell_line(Narrator& narrator, const BentTask& task, const Take& take) {
 }  // namespace
 
 void tell_transformation(Narrator& narrator) {
-  const BentTask task = task_of(narrator.arguments(), false);
+  const BentSubject subject = subject_of(narrator.arguments(), false);
   narrator.list_below("divide");
   narrator.shows_depths();
-  tell_line(narrator, task, [&task](dvec3 point, const auto& watch) {
-    divide(transform(task.projection(), point, watch), watch);
+  tell_line(narrator, subject, [&subject](dvec3 point, const auto& watch) {
+    divide(transform(subject.projection(), point, watch), watch);
   });
 }
 
 void tell_keep_z(Narrator& narrator) {
-  const BentTask task = task_of(narrator.arguments(), true);
-  tell_line(narrator, task, [&task](dvec3 point, const auto& watch) { keep_z(task.near, point, watch); });
+  const BentSubject subject = subject_of(narrator.arguments(), true);
+  tell_line(narrator, subject,
+            [&subject](dvec3 point, const auto& watch) { keep_z(subject.near, point, watch); });
 }
 
 }  // namespace gradus::perspective

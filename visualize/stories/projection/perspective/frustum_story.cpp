@@ -8,7 +8,7 @@
 namespace gradus::perspective {
 namespace {
 
-struct FrustumTask {
+struct FrustumSubject {
   dvec2 degrees{}, tangents{};  ///< the angles of view; of half of them
   double near, far;
 
@@ -21,27 +21,27 @@ struct FrustumTask {
 /// The tangent of half an angle of view.
 double half_tangent(double degrees) { return gradus::tan(radians_from_degrees(degrees / 2)); }
 
-FrustumTask task_of(const Arguments& arguments) {
+FrustumSubject subject_of(const Arguments& arguments) {
   const std::vector<double> fields = arguments.numbers("fields");
-  FrustumTask task{
+  FrustumSubject subject{
       .degrees = {fields[0], fields[1]}, .near = distance_of(arguments), .far = *arguments.number("far")};
   for (const int axis : {0, 1}) {
-    if (!(1 <= task.degrees[axis] && task.degrees[axis] <= 160))
-      refuse("fields", "expected angles of view from 1 to 160 degrees, found {}", task.degrees[axis]);
-    task.tangents[axis] = half_tangent(task.degrees[axis]);
+    if (!(1 <= subject.degrees[axis] && subject.degrees[axis] <= 160))
+      refuse("fields", "expected angles of view from 1 to 160 degrees, found {}", subject.degrees[axis]);
+    subject.tangents[axis] = half_tangent(subject.degrees[axis]);
   }
-  if (!(task.near < task.far))
+  if (!(subject.near < subject.far))
     refuse(arguments, {"far", "distance"}, "expected a far plane behind the near one");
-  return task;
+  return subject;
 }
 
 class FrustumStory : public Past<steps::Started, CornerFound<double>, steps::Finished> {
  public:
-  FrustumStory(const Words& words, const FrustumTask& task)
-      : words_(words), task_(task), corners_(task.corners()) {
+  FrustumStory(const Words& words, const FrustumSubject& subject)
+      : words_(words), subject_(subject), corners_(subject.corners()) {
     for (const dvec3 p : corners_) {
       frustum_.corners.push_back(p);
-      const dvec3 image = task.image(p);
+      const dvec3 image = subject.image(p);
       box_.corners.emplace_back(image.x, image.y, 2 * image.z);  // as deep as it is wide
     }
     for (solids::Solid* body : {&frustum_, &box_}) {
@@ -56,20 +56,20 @@ class FrustumStory : public Past<steps::Started, CornerFound<double>, steps::Fin
 
   Event say(const steps::Started&) const {
     return {.text = "started.frustum",
-            .words = {{"across", real(task_.degrees.x)},
-                      {"up", real(task_.degrees.y)},
-                      {"near", real(task_.near)},
-                      {"far", real(task_.far)}},
+            .words = {{"across", real(subject_.degrees.x)},
+                      {"up", real(subject_.degrees.y)},
+                      {"near", real(subject_.near)},
+                      {"far", real(subject_.far)}},
             .level = Level::idea};
   }
 
   Event say(const CornerFound<double>& c) const {
-    const dvec3 image = task_.image(c.corner);
+    const dvec3 image = subject_.image(c.corner);
     return {.text = "corner",
             .facts = {{"corner", c.number + 1}, {"x", c.corner.x}, {"y", c.corner.y}, {"z", c.corner.z}},
             .words = {{"z", real(c.corner.z)},
-                      {"half_across", real(task_.degrees.x / 2)},
-                      {"half_up", real(task_.degrees.y / 2)},
+                      {"half_across", real(subject_.degrees.x / 2)},
+                      {"half_up", real(subject_.degrees.y / 2)},
                       {"width", real(c.width)},
                       {"height", real(c.height)},
                       {"point", place_text(c.corner)}},
@@ -79,9 +79,9 @@ class FrustumStory : public Past<steps::Started, CornerFound<double>, steps::Fin
 
   Event say(const steps::Finished&) const {
     return {.text = "done.frustum",
-            .words = {{"times", real(task_.far / task_.near)},
-                      {"x", real(task_.near * task_.tangents.x)},
-                      {"y", real(task_.near * task_.tangents.y)}}};
+            .words = {{"times", real(subject_.far / subject_.near)},
+                      {"x", real(subject_.near * subject_.tangents.x)},
+                      {"y", real(subject_.near * subject_.tangents.y)}}};
   }
 
   View draw() const {
@@ -110,7 +110,7 @@ class FrustumStory : public Past<steps::Started, CornerFound<double>, steps::Fin
   /// The eye, and the way it looks.
   void add_sight(View& view) const {
     const dvec2 eye = in_space(dvec3{0});
-    view.add({"a sight", Role::guide, Stroke{eye, in_space({0, 0, task_.far}), false, true, true}});
+    view.add({"a sight", Role::guide, Stroke{eye, in_space({0, 0, subject_.far}), false, true, true}});
     for (std::size_t i = 0; i < 4; ++i)
       view.add(
           {fmt::format("a ray {}", i), Role::guide, Stroke{eye, in_space(corners_[i]), false, true, true}});
@@ -136,7 +136,7 @@ class FrustumStory : public Past<steps::Started, CornerFound<double>, steps::Fin
   }
   /// The depth of a plane: far below its lowest corner, near above its highest.
   void add_depth(View& view, bool far) const {
-    const std::string depth = real(far ? task_.far : task_.near);
+    const std::string depth = real(far ? subject_.far : subject_.near);
     const std::string_view key = far ? "depth.far" : "depth.near";
     const dvec2 above{0.4, in_space(corners_[2]).y + 2}, below = in_space(corners_[5]) - dvec2{0, 1.1};
     view.add({fmt::format("g {}", key), Role::guide,
@@ -159,34 +159,34 @@ class FrustumStory : public Past<steps::Started, CornerFound<double>, steps::Fin
   }
 
   const Words& words_;
-  const FrustumTask& task_;
+  const FrustumSubject& subject_;
   std::array<dvec3, 8> corners_;
   solids::Solid frustum_, box_;
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, beside_ = space_;
 };
 
 /// A corner of each plane for its depth, and one for both angles.
-void let_drag(Narrator& narrator, const FrustumTask& task, const FrustumStory& story) {
+void let_drag(Narrator& narrator, const FrustumSubject& subject, const FrustumStory& story) {
   const auto drag_depth = [&](std::string_view name, double depth, dvec3 corner) {
     narrator.handle(name, 0, story.in_space(corner),
                     story.in_space(corner / depth) - story.in_space(dvec3{0}));
   };
-  const auto [across, up] = std::pair{task.tangents.x, task.tangents.y};
-  drag_depth("distance", task.near, task.near * dvec3{across, up, 1});
-  drag_depth("far", task.far, task.far * dvec3{across, -up, 1});
+  const auto [across, up] = std::pair{subject.tangents.x, subject.tangents.y};
+  drag_depth("distance", subject.near, subject.near * dvec3{across, up, 1});
+  drag_depth("far", subject.far, subject.far * dvec3{across, -up, 1});
   narrator.handles("fields", [&](dvec2 degrees) {
-    return story.in_space(task.far * dvec3{half_tangent(degrees.x), half_tangent(degrees.y), 1});
+    return story.in_space(subject.far * dvec3{half_tangent(degrees.x), half_tangent(degrees.y), 1});
   });
 }
 
 }  // namespace
 
 void tell_frustum(Narrator& narrator) {
-  const FrustumTask task = task_of(narrator.arguments());
-  narrator.subtitle("subtitle.frustum", {{"across", real(task.degrees.x)},
-                                         {"up", real(task.degrees.y)},
-                                         {"near", real(task.near)},
-                                         {"far", real(task.far)}});
+  const FrustumSubject subject = subject_of(narrator.arguments());
+  narrator.subtitle("subtitle.frustum", {{"across", real(subject.degrees.x)},
+                                         {"up", real(subject.degrees.y)},
+                                         {"near", real(subject.near)},
+                                         {"far", real(subject.far)}});
   narrator.trace().goal = narrator.words().say("goal.frustum");
   narrator.paper(solids::paper_width, solids::paper_height);
   narrator.columns({{"corner"}, {"point", false}, {"image", false}});
@@ -194,10 +194,10 @@ void tell_frustum(Narrator& narrator) {
                    {Role::current, "corner"},
                    {Role::result, "corners"},
                    {Role::measure, "halves"}});
-  FrustumStory story(narrator.words(), task);
-  let_drag(narrator, task, story);
+  FrustumStory story(narrator.words(), subject);
+  let_drag(narrator, subject, story);
   narrator.tell_whole(story, [&](const auto& watch) {
-    frustum_corners(task.tangents.x, task.tangents.y, task.near, task.far, watch);
+    frustum_corners(subject.tangents.x, subject.tangents.y, subject.near, subject.far, watch);
   });
   narrator.telling({8, 0});
   narrator.result({{"corners", 8}});

@@ -90,17 +90,17 @@ int line_with(Narrator& narrator, std::string_view text) {
 }  // namespace
 
 void tell_block(Narrator& narrator) {
-  const Scene scene = scene_of_axes(narrator.arguments());
+  const Subject subject = subject_of_axes(narrator.arguments());
   const std::vector<double> numbers = narrator.arguments().numbers("block");
   const Block block{{numbers[0], numbers[1], numbers[2]},
                     {numbers[3], numbers[4], numbers[5]},
                     {numbers[6], numbers[7], numbers[8]}};
-  narrator.subtitle("subtitle_axes", {{"eye", scene.eye}});
+  narrator.subtitle("subtitle_axes", {{"eye", subject.eye}});
   narrator.trace().goal = narrator.words().say("goal_block");
   narrator.paper(36, 24);
   narrator.legend({{Role::accepted, "as_rows"}, {Role::rejected, "as_columns"}});
   narrator.columns({{"read", false}, {"first", false}, {"second", false}, {"third", false}});
-  const DFrame frame = scene.frame();
+  const DFrame frame = subject.frame();
   BlockStory story(narrator.words(), block, frame);
   narrator.tell_whole(story, [&](const auto& watch) {
     watch(ReadAsRows{}, 0);

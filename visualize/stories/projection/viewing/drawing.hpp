@@ -39,7 +39,7 @@ constexpr double longest_axis = 1000;
 /// What is made of a hint for up along the view.
 enum class Along { refused, replaced, divided };
 
-struct Scene {
+struct Subject {
   dvec3 eye, target, up;
   double distance;  ///< from the eye to the target
   Mesh letter;
@@ -65,7 +65,7 @@ inline Mesh shipped_letter() {
 }
 
 /// An eye with three axes of any lengths and angles.
-inline Scene scene_of_axes(const Arguments& arguments) {
+inline Subject subject_of_axes(const Arguments& arguments) {
   const dvec3 eye = *arguments.place("eye");
   const auto axes = arguments.places("axes");
   const auto expect = [&](bool holds, const std::string& what) {
@@ -83,15 +83,15 @@ inline Scene scene_of_axes(const Arguments& arguments) {
   return {eye, middle, {0, 1, 0}, std::max(1.0, length_of(middle - eye)), shipped_letter(), frame};
 }
 
-inline Scene scene_of(const Arguments& arguments, Along along) {
-  Scene scene{*arguments.place("eye"), *arguments.place("target"), *arguments.place("up"), 0, {}};
-  scene.along = along;
-  if (scene.eye == scene.target)
+inline Subject subject_of(const Arguments& arguments, Along along) {
+  Subject subject{*arguments.place("eye"), *arguments.place("target"), *arguments.place("up"), 0, {}};
+  subject.along = along;
+  if (subject.eye == subject.target)
     refuse(arguments, {"target", "eye"}, "a target apart from the eye expected, found both in one point");
-  if (scene.up == dvec3{0})
+  if (subject.up == dvec3{0})
     refuse(arguments, {"up"}, "a direction expected, found 0,0,0, which points nowhere");
-  const double sine = sine_between(scene.target - scene.eye, scene.up);
-  if (along == Along::divided && !is_finite(scene.frame().right))
+  const double sine = sine_between(subject.target - subject.eye, subject.up);
+  if (along == Along::divided && !is_finite(subject.frame().right))
     refuse(arguments, {"up", "target", "eye"},
            "a hint for up that leaves something to divide by expected, this one gives 0 / 0");
   if (along == Along::refused && !(sine >= least_sine<double>)) {
@@ -99,9 +99,9 @@ inline Scene scene_of(const Arguments& arguments, Along along) {
            fmt::format("an up apart from the view direction expected, found {}, which is parallel to it",
                        arguments.text("up")));
   }
-  scene.distance = length_of(scene.target - scene.eye);
-  scene.letter = shipped_letter();
-  return scene;
+  subject.distance = length_of(subject.target - subject.eye);
+  subject.letter = shipped_letter();
+  return subject;
 }
 
 // --- The drawing
@@ -131,20 +131,20 @@ inline dvec3 through(const glm::dmat4& matrix, dvec3 p) { return dvec3(matrix * 
 /// The drawings of a run. What is known grows from step to step.
 class Drawing {
  public:
-  Drawing(const Scene& scene, const Words& words)
-      : scene_(scene),
+  Drawing(const Subject& subject, const Words& words)
+      : subject_(subject),
         words_(words),
-        edges_(edges_of(scene.letter)),
-        left_handed_(scene.axes && is_left_hand(*scene.axes)),
-        world_(left_handed_ ? left_hand_place
-               : scene.axes ? axes_place
-                            : world_place,
+        edges_(edges_of(subject.letter)),
+        left_handed_(subject.axes && is_left_hand(*subject.axes)),
+        world_(left_handed_   ? left_hand_place
+               : subject.axes ? axes_place
+                              : world_place,
                world_extent()) {}
 
   /// Where the first drawing has a point of the world, the end of the hint for up, and that of a given axis.
   dvec2 at(dvec3 p) const { return world_.at(flat(p)); }
-  dvec2 hint_at(dvec3 up) const { return at(scene_.eye + axis_size() * unit_vector(up)); }
-  dvec2 axis_at(dvec3 axis) const { return at(scene_.eye + arrow_unit(*scene_.axes) * axis); }
+  dvec2 hint_at(dvec3 up) const { return at(subject_.eye + axis_size() * unit_vector(up)); }
+  dvec2 axis_at(dvec3 axis) const { return at(subject_.eye + arrow_unit(*subject_.axes) * axis); }
 
   /// How many axes of the frame are drawn, which of them is new (-1: none), and how much of the matrix.
   struct Known {
@@ -160,21 +160,21 @@ class Drawing {
     SpaceDrawing space({.viewer = distant_viewer(towards_oblique),
                         .at = [this](dvec3 p) { return std::optional(world_.at(oblique(p))); },
                         .frame = world_place});
-    space.add("letter world", Role::past, scene_.letter);
+    space.add("letter world", Role::past, subject_.letter);
     add_world_axes(view, space);
-    space.add(SpaceEdge{.id = "sight", .role = Role::guide, .a = scene_.eye, .b = scene_.target});
+    space.add(SpaceEdge{.id = "sight", .role = Role::guide, .a = subject_.eye, .b = subject_.target});
     space.add_to(view, "a letter world");
     const double size = axis_size();
     if (!known.axes[1])
-      arrow(view, "hint", Role::candidate, size * unit_vector(scene_.up), words_.say("hint"), true);
+      arrow(view, "hint", Role::candidate, size * unit_vector(subject_.up), words_.say("hint"), true);
     for (int i = 0; i < 3; ++i) {
       if (!known.axes[static_cast<std::size_t>(i)]) continue;
       const std::string name(axis_names[static_cast<std::size_t>(i)]);
       arrow(view, "axis " + name, i == known.newest ? Role::current : Role::accepted,
             size * shown_axis(frame, i), axis_name(words_, i), false);
     }
-    point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
-    point(view, "target", Role::input, scene_.target, words_.say("name.target"));
+    point(view, "eye", Role::input, subject_.eye, words_.say("name.eye"));
+    point(view, "target", Role::input, subject_.target, words_.say("name.target"));
     return view;
   }
 
@@ -191,7 +191,7 @@ class Drawing {
     if (known.rows >= 2)
       guide_line(view, "no up", {seen_place.lower.x, middle.y}, {seen_place.upper.x, middle.y});
     if (known.rows >= 3) {
-      const dvec3 target = through(matrix, scene_.target);
+      const dvec3 target = through(matrix, subject_.target);
       view.add_named("seen target", Role::accepted, panel.at(dvec2(target) / target.z),
                      words_.say("name.target"));
     }
@@ -201,14 +201,14 @@ class Drawing {
       if (v.z <= 0) return std::nullopt;
       return panel.at(dvec2(v) / v.z);
     };
-    const DFrame frame = scene_.frame();
-    SpaceDrawing picture({.viewer = viewer_at(scene_.eye),
+    const DFrame frame = subject_.frame();
+    SpaceDrawing picture({.viewer = viewer_at(subject_.eye),
                           .at = seen,
                           .right = frame.right,
                           .up = frame.up,
                           .towards = -frame.forward,
                           .frame = seen_place});
-    picture.add("letter picture", Role::result, scene_.letter);
+    picture.add("letter picture", Role::result, subject_.letter);
     picture.add_to(view, "a letter picture");
   }
 
@@ -220,9 +220,9 @@ class Drawing {
     const auto flat = [](dvec3 v) { return oblique({v.x, v.y, -v.z}); };
     Extent all;
     all.add(flat({0, 0, 0}));
-    for (const dvec3 p : {scene_.eye, scene_.target}) all.add(flat(through(wrong, p)));
+    for (const dvec3 p : {subject_.eye, subject_.target}) all.add(flat(through(wrong, p)));
     const double size = axis_size();
-    for (const dvec3 tip : {dvec3{size, 0, 0}, dvec3{0, size, 0}, dvec3{0, 0, scene_.distance}})
+    for (const dvec3 tip : {dvec3{size, 0, 0}, dvec3{0, size, 0}, dvec3{0, 0, subject_.distance}})
       all.add(flat(tip));
     const Extent place{{21, 1}, {34.5, 21.5}};
     const Panel panel(place, widened(all, 0.02));
@@ -233,13 +233,13 @@ class Drawing {
     };
     line("space right", Role::guide, {size, 0, 0}, 0);
     line("space up", Role::guide, {0, size, 0}, 1);
-    line("space forward", Role::guide, {0, 0, scene_.distance}, 2);
+    line("space forward", Role::guide, {0, 0, subject_.distance}, 2);
     view.add({"space eye", Role::input, Dot{at({0, 0, 0})}});
     if (!known.seen) return;
-    const dvec3 there = through(wrong, scene_.target), here = through(right, scene_.target);
-    const dvec3 eye = through(wrong, scene_.eye);
+    const dvec3 there = through(wrong, subject_.target), here = through(right, subject_.target);
+    const dvec3 eye = through(wrong, subject_.eye);
     view.add({"sight there", Role::rejected, Stroke{at(eye), at(there), false, true}});
-    if (length_of(eye) > 1e-9 * scene_.distance)
+    if (length_of(eye) > 1e-9 * subject_.distance)
       view.add_named("eye there", Role::rejected, at(eye), words_.say("name.eye"));
     view.add_named("target here", Role::accepted, at(here), words_.say("belongs"), true);
     view.add_named("target there", Role::rejected, at(there), words_.say("name.target"));
@@ -283,12 +283,12 @@ class Drawing {
       arrow(view, "column " + name, found, unit * column,
             words_.say("column_name", {{"axis", direction_name(words_, i)}}), true);
     }
-    point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
+    point(view, "eye", Role::input, subject_.eye, words_.say("name.eye"));
   }
   /// Part of the plane in which two directions from the eye lie.
   void add_sheet(View& view, dvec3 a, dvec3 b) const {
     std::vector<dvec2> ring;
-    for (const dvec3 p : {dvec3{0}, a, a + b, b}) ring.push_back(world_.at(flat(scene_.eye + 0.8 * p)));
+    for (const dvec3 p : {dvec3{0}, a, a + b, b}) ring.push_back(world_.at(flat(subject_.eye + 0.8 * p)));
     view.add({"a sheet", Role::guide, Area{{ring}, 2}});
   }
 
@@ -299,11 +299,11 @@ class Drawing {
     add_hand_caption(view, "left_handed", left_hand_place, frame.right, det);
     add_hand_caption(view, "right_handed", right_hand_place, mirrored(frame.right), 0 - det);
     const dvec2 aside = right_hand_place.lower - left_hand_place.lower;
-    const dvec2 eye = world_.at(flat(scene_.eye)) + aside;
+    const dvec2 eye = world_.at(flat(subject_.eye)) + aside;
     for (int i = 0; i < 3; ++i) {
       const std::string name = fmt::format("twin {}", axis_names[static_cast<std::size_t>(i)]);
       const dvec3 axis = axis_of(frame, i);
-      const dvec2 tip = world_.at(flat(scene_.eye + arrow_unit(frame) * axis)) + aside;
+      const dvec2 tip = world_.at(flat(subject_.eye + arrow_unit(frame) * axis)) + aside;
       view.add({name, Role::input, Stroke{eye, tip, true}});
       view.add({name + " name", Role::input, Label{tip, direction_name(words_, i)}});
     }
@@ -349,7 +349,7 @@ class Drawing {
   /// The letter as a solid. at(p): where a point of it is drawn: right, up, towards the reader.
   template <class At>
   void add_letter(View& view, const std::string& name, Role role, const Extent& place, At at) const {
-    Mesh letter = scene_.letter;
+    Mesh letter = subject_.letter;
     Extent all;
     for (dvec3& p : letter.positions) {
       p = at(p);
@@ -390,21 +390,21 @@ class Drawing {
     for (int i = 0; i < 3; ++i) {
       longest = std::max({longest, length_of(axis_of(frame, i)), length_of(dvec3(inverse[i]))});
     }
-    return 0.45 * scene_.distance / longest;
+    return 0.45 * subject_.distance / longest;
   }
 
   Extent world_extent() const {
     Extent extent;
     const double size = axis_size();
     const auto add = [&](dvec3 p) { extent.add(flat(p)); };
-    const DFrame frame = scene_.frame();
-    if (scene_.axes) {
+    const DFrame frame = subject_.frame();
+    if (subject_.axes) {
       const glm::dmat4 inverse = inverse_of_any_frame(frame);
       const double unit = arrow_unit(frame);
-      add(scene_.eye);
+      add(subject_.eye);
       for (int i = 0; i < 3; ++i) {
-        add(scene_.eye + unit * axis_of(frame, i));
-        add(scene_.eye + unit * dvec3(inverse[i]));
+        add(subject_.eye + unit * axis_of(frame, i));
+        add(subject_.eye + unit * dvec3(inverse[i]));
       }
       return widened(extent, 0.02);
     }
@@ -412,17 +412,17 @@ class Drawing {
       add(a);
       add(b);
     }
-    add(scene_.target);
+    add(subject_.target);
     for (const dvec3 way :
-         {frame.right, frame.up, frame.forward, shown_axis(frame, 2), unit_vector(scene_.up), dvec3{0}})
-      add(scene_.eye + size * way);
+         {frame.right, frame.up, frame.forward, shown_axis(frame, 2), unit_vector(subject_.up), dvec3{0}})
+      add(subject_.eye + size * way);
     for (const dvec3 tip : {dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, 1}, dvec3{0}})
       add(axis_length() * tip);
     return widened(extent, 0.02);
   }
   /// Of the world's axes, and of the viewer's as they are drawn.
-  double axis_length() const { return std::max(1.3, 0.25 * scene_.distance); }
-  double axis_size() const { return 0.3 * scene_.distance; }
+  double axis_length() const { return std::max(1.3, 0.25 * subject_.distance); }
+  double axis_size() const { return 0.3 * subject_.distance; }
 
   /// An axis of the viewer in the picture, from its middle.
   void picture_axis(View& view, const Known& known, int number, dvec2 way) const {
@@ -470,11 +470,11 @@ class Drawing {
   }
   /// From the eye.
   void arrow(View& view, const std::string& id, Role role, dvec3 way, std::string name, bool dashed) const {
-    const dvec2 from = world_.at(flat(scene_.eye)), to = world_.at(flat(scene_.eye + way));
+    const dvec2 from = world_.at(flat(subject_.eye)), to = world_.at(flat(subject_.eye + way));
     view.add({id, role, Stroke{from, to, true, dashed}});
     view.add({id + " name", role, Label{to, std::move(name)}});
   }
-  const Scene& scene_;
+  const Subject& subject_;
   const Words& words_;
   std::vector<std::pair<dvec3, dvec3>> edges_;  ///< of the letter
   const bool left_handed_;                      ///< the world's z runs away from the reader

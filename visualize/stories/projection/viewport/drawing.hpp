@@ -7,7 +7,7 @@
 
 namespace gradus::viewport {
 
-struct Input {
+struct Subject {
   Mapping<double> map;
   std::vector<dvec2> points;
   Rounding rounding;
@@ -67,18 +67,18 @@ class PictureView {
 
 class Drawing {
  public:
-  Drawing(const Input& input, const Words& words)
-      : input_(input),
+  Drawing(const Subject& subject, const Words& words)
+      : subject_(subject),
         words_(words),
-        plane_(plane_place, plane_extent(input)),
-        fine_(PictureView(large_place, picture_extent(input), rows_down()).unit() < least_pixel),
-        picture_(fine_ ? small_place : large_place, picture_extent(input), rows_down()) {}
+        plane_(plane_place, plane_extent(subject)),
+        fine_(PictureView(large_place, picture_extent(subject), rows_down()).unit() < least_pixel),
+        picture_(fine_ ? small_place : large_place, picture_extent(subject), rows_down()) {}
 
   /// current: the point of this step; points.size(): none. done: all pixels are results.
   View view(const std::vector<Fate>& fates, std::size_t current, bool done, bool clamped) const {
     View view;
     add_plane(view, fates, current);
-    if (current < fates.size()) add_measures(view, input_.points[current], fates[current]);
+    if (current < fates.size()) add_measures(view, subject_.points[current], fates[current]);
     add_picture(view);
     if (clamped) add_lines(view, fates);
     for (std::size_t i = 0; i < fates.size(); ++i) {
@@ -98,18 +98,18 @@ class Drawing {
   /// Smaller pixels, in paper units, are enlarged.
   static constexpr double least_pixel = 0.8;
 
-  static Extent plane_extent(const Input& input) {
-    const auto& [lower, upper] = input.map.window;
+  static Extent plane_extent(const Subject& subject) {
+    const auto& [lower, upper] = subject.map.window;
     Extent seen{lower, upper};
-    add_near(seen, input.points, (upper - lower) * 0.25);
+    add_near(seen, subject.points, (upper - lower) * 0.25);
     return widened(seen, 0.02);
   }
-  static Extent picture_extent(const Input& input) {
-    const dvec2 size(input.map.picture);
+  static Extent picture_extent(const Subject& subject) {
+    const dvec2 size(subject.map.picture);
     Extent seen{{0, 0}, size};
     std::vector<dvec2> places;
-    for (const dvec2 p : input.points)
-      places.push_back(place_at(input.map.viewport, fraction_of(input.map, p)));
+    for (const dvec2 p : subject.points)
+      places.push_back(place_at(subject.map.viewport, fraction_of(subject.map, p)));
     add_near(seen, places, size * 0.2);
     return widened(seen, 0.02);
   }
@@ -120,7 +120,7 @@ class Drawing {
       if (near.holds(p)) extent.add(p);
     }
   }
-  bool rows_down() const { return input_.map.row_zero == RowZero::top; }
+  bool rows_down() const { return subject_.map.row_zero == RowZero::top; }
 
   static dvec2 clamped_to(const Extent& extent, dvec2 p) { return glm::clamp(p, extent.lower, extent.upper); }
   /// Where the picture's panel shows a place; the nearest place of its border for those beyond it.
@@ -144,16 +144,16 @@ class Drawing {
   /// A point of the camera plane on the paper, and whether it is shown there.
   std::pair<bool, dvec2> plane_point(std::size_t i) const {
     const Extent shown = plane_.shown();
-    const dvec2 p = input_.points[i];
+    const dvec2 p = subject_.points[i];
     return {shown.holds(p), plane_.at(clamped_to(shown, p))};
   }
   void add_plane(View& view, const std::vector<Fate>& fates, std::size_t current) const {
     view.add({"caption plane", Role::guide,
               Text{{plane_place.centre().x, plane_place.upper.y + 1.1}, words_.say("caption.plane")}});
     add_axes(view, plane_, "plane", {words_.symbol("x"), words_.symbol("y")}, 4);
-    const auto& [lower, upper] = input_.map.window;
+    const auto& [lower, upper] = subject_.map.window;
     view.add({"window", Role::boundary, Path{plane_.at(Extent{lower, upper}.corners()), true}});
-    for (std::size_t i = 0; i < input_.points.size(); ++i) {
+    for (std::size_t i = 0; i < subject_.points.size(); ++i) {
       const auto [here, at] = plane_point(i);
       const Role role = i == current ? Role::current : fates[i].outside ? Role::rejected : Role::input;
       add_point(view, "point " + letter(i), role, plane_place, here, at);
@@ -166,7 +166,7 @@ class Drawing {
     if (!fate.fraction || fate.place) return;
     const dvec2 fraction = *fate.fraction;
     if (!(std::abs(fraction.x) < 3 && std::abs(fraction.y) < 3)) return;
-    const auto& [lower, upper] = input_.map.window;
+    const auto& [lower, upper] = subject_.map.window;
     add_measure(view, "across", plane_.at({lower.x, p.y}), plane_.at(p), fraction.x);
     add_measure(view, "down", plane_.at({p.x, rows_down() ? upper.y : lower.y}), plane_.at(p), fraction.y);
   }
@@ -180,10 +180,10 @@ class Drawing {
   void add_picture(View& view) const {
     const std::string rows = rows_down() ? "rows_down" : "rows_up";
     add_caption(view, rows, words_.say("caption." + rows), fine_ ? picture_.drawn() : on_top(picture_));
-    add_grid_lines(view, picture_, "picture", {{0, 0}, dvec2(input_.map.picture)});
-    view.add({"picture", Role::boundary, picture_.box({0, 0}, dvec2(input_.map.picture))});
-    if (!input_.boxed) return;
-    const auto& [lower, upper] = input_.map.viewport;
+    add_grid_lines(view, picture_, "picture", {{0, 0}, dvec2(subject_.map.picture)});
+    view.add({"picture", Role::boundary, picture_.box({0, 0}, dvec2(subject_.map.picture))});
+    if (!subject_.boxed) return;
+    const auto& [lower, upper] = subject_.map.viewport;
     view.add({"viewport", Role::candidate, picture_.box(lower, upper)});
   }
   static Extent on_top(const PictureView& pixels) { return pixels.drawn(); }
@@ -252,7 +252,7 @@ class Drawing {
     if (!fate.place) return;
     const auto [here, from] = plane_point(i);
     const auto [there, to] = shown_at(*fate.place);
-    if (!holds(input_.map.viewport, *fate.place)) {
+    if (!holds(subject_.map.viewport, *fate.place)) {
       if (here && there) view.add({"way", Role::current, Stroke{from, to, true, true}});
       return;
     }
@@ -266,7 +266,7 @@ class Drawing {
   }
 
   void add_enlarged(View& view, const PictureView& enlarged, const Fate& fate, ivec2 own) const {
-    const dvec2 size(input_.map.picture), place = *fate.place;
+    const dvec2 size(subject_.map.picture), place = *fate.place;
     const Extent& part = enlarged.pixels();
     add_grid_lines(view, enlarged, "enlarged",
                    {glm::max(part.lower, dvec2{0, 0}), glm::min(part.upper, size)});
@@ -280,11 +280,11 @@ class Drawing {
     const dvec2 at = enlarged.at(place), corner(own);
     add_measure(view, "enlarged across", enlarged.at({corner.x, place.y}), at, place.x - corner.x);
     add_measure(view, "enlarged down", enlarged.at({place.x, corner.y}), at, place.y - corner.y);
-    if (fate.nearest && input_.rounding != Rounding::floor && part.holds(dvec2(*fate.nearest)))
+    if (fate.nearest && subject_.rounding != Rounding::floor && part.holds(dvec2(*fate.nearest)))
       view.add({"rounding", Role::accepted, Stroke{at, enlarged.at(dvec2(*fate.nearest)), true}});
     view.add({"enlarged place", Role::current, Dot{at}});
     if (!fate.nearest) return;
-    const std::string_view rule = input_.rounding == Rounding::floor ? "caption.floor" : "caption.nearest";
+    const std::string_view rule = subject_.rounding == Rounding::floor ? "caption.floor" : "caption.nearest";
     add_caption(view, "enlarged",
                 words_.say(rule, {{"px", pixels_text(place.x)},
                                   {"py", pixels_text(place.y)},
@@ -310,7 +310,7 @@ class Drawing {
     }
   }
 
-  const Input& input_;
+  const Subject& subject_;
   const Words& words_;
   Panel plane_;
   bool fine_;  ///< the picture's pixels are too small to be seen

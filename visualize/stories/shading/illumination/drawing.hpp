@@ -40,38 +40,38 @@ enum class Mirror { reflected, halfway };
 /// what lies outside it is turned into it about R (or N), so that the angles that count stay.
 class PlaceDrawing {
  public:
-  PlaceDrawing(const Words& words, const Task& task, Mirror mirror, bool from_below, double brightest)
+  PlaceDrawing(const Words& words, const Subject& subject, Mirror mirror, bool from_below, double brightest)
       : words_(words),
-        task_(task),
+        subject_(subject),
         mirror_(mirror),
         from_below_(from_below),
         origin_(11.2, from_below ? 12.6 : 4.4),
         length_(from_below ? 10.2 : 11.6),
         brightest_(brightest) {
     // The first lamp that has a side stands on the left
-    for (const Light& light : task.lights) {
-      const dvec3 l = towards(light, 0, task.place).first;
-      left_ = unit_vector(l - glm::dot(l, task.normal) * task.normal);
+    for (const Light& light : subject.lights) {
+      const dvec3 l = towards(light, 0, subject.place).first;
+      left_ = unit_vector(l - glm::dot(l, subject.normal) * subject.normal);
       if (glm::length(left_) > 0.5) break;
     }
-    const dvec3 v = unit_vector(task.eye - task.place);
-    if (glm::length(left_) < 0.5) left_ = -unit_vector(v - glm::dot(v, task.normal) * task.normal);
+    const dvec3 v = unit_vector(subject.eye - subject.place);
+    if (glm::length(left_) < 0.5) left_ = -unit_vector(v - glm::dot(v, subject.normal) * subject.normal);
   }
 
   /// Where the first drawing has a lamp, and the tip of the view vector to an eye; nothing for what lies in
   /// the place itself.
   std::optional<dvec2> lamp_at(const Light& light) const {
-    const dvec3 l = towards(light, 0, task_.place).first;
+    const dvec3 l = towards(light, 0, subject_.place).first;
     return l == dvec3{0} ? std::nullopt : std::optional(lamp_tip(angle(l)));
   }
   std::optional<dvec2> eye_at(dvec3 eye) const {
-    const dvec3 v = unit_vector(eye - task_.place);
+    const dvec3 v = unit_vector(eye - subject_.place);
     return v == dvec3{0} ? std::nullopt : std::optional(tip(angle(v), 1));
   }
 
   /// The angle of a direction, on its side.
   double angle(const dvec3& way) const {
-    const double from_n = degrees_of(glm::dot(way, task_.normal));
+    const double from_n = degrees_of(glm::dot(way, subject_.normal));
     return glm::dot(way, left_) < -1e-9 ? -from_n : from_n;
   }
 
@@ -83,9 +83,9 @@ class PlaceDrawing {
 
   /// Lamps that are not at hand.
   void add_lamps(View& view, std::size_t at_hand) const {
-    for (std::size_t i = 0; i < task_.lights.size(); ++i) {
+    for (std::size_t i = 0; i < subject_.lights.size(); ++i) {
       if (i == at_hand) continue;
-      const dvec3 l = towards(task_.lights[i], 0, task_.place).first;
+      const dvec3 l = towards(subject_.lights[i], 0, subject_.place).first;
       if (l == dvec3{0}) continue;
       const Role role = at_hand != none && i < at_hand ? Role::past : Role::candidate;
       add_lamp(view, fmt::format("l lamp {}", i), role, angle(l), i, true);
@@ -112,7 +112,7 @@ class PlaceDrawing {
 
   /// R or H, V, the angle between the two that count, and the lobe of the highlight.
   void add_mirrored(View& view, const LightAdded<double>& s, Role role, double power) const {
-    const dvec3 v = unit_vector(task_.eye - task_.place);
+    const dvec3 v = unit_vector(subject_.eye - subject_.place);
     if (v == dvec3{0} || s.mirror == dvec3{0} || s.arrival.to_light == dvec3{0}) return;
     const bool reflects = mirror_ == Mirror::reflected;
     const double theta = angle(s.arrival.to_light), off = degrees_of(s.cosine);
@@ -138,7 +138,7 @@ class PlaceDrawing {
   void add_viewer(View& view, double at) const { arrow(view, "v view", Role::input, at, "V"); }
   /// V before any lamp is at hand.
   void add_viewer(View& view) const {
-    const dvec3 v = unit_vector(task_.eye - task_.place);
+    const dvec3 v = unit_vector(subject_.eye - subject_.place);
     if (v != dvec3{0}) add_viewer(view, angle(v));
   }
   /// The direction that is right, where the method has another.
@@ -196,10 +196,10 @@ class PlaceDrawing {
   }
   /// A direction's angle within the plane of N and L, before it is turned.
   double flat_angle(const dvec3& way, const dvec3& l, double theta) const {
-    const dvec3 aside = unit_vector(l - glm::dot(l, task_.normal) * task_.normal);
+    const dvec3 aside = unit_vector(l - glm::dot(l, subject_.normal) * subject_.normal);
     const double side = theta < 0 ? -1 : 1;
     const double across = glm::length(aside) > 0.5 ? side * glm::dot(way, aside) : glm::dot(way, left_);
-    return gradus::atan2(across, glm::dot(way, task_.normal)) * degrees_per_radian;
+    return gradus::atan2(across, glm::dot(way, subject_.normal)) * degrees_per_radian;
   }
   void arrow(View& view, const std::string& id, Role role, double at, const std::string& name) const {
     view.add({id, role, Stroke{origin_, tip(at, 1), true}});
@@ -292,7 +292,7 @@ class PlaceDrawing {
   }
 
   const Words& words_;
-  const Task& task_;
+  const Subject& subject_;
   const Mirror mirror_;
   const bool from_below_;
   const dvec2 origin_;

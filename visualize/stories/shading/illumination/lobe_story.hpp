@@ -92,11 +92,11 @@ class LobeStory : public Past<steps::Started, LobeDrawn, steps::Finished> {
 
 inline void tell_lobes(Narrator& narrator) {
   const Arguments& arguments = narrator.arguments();
-  const Task task = task_of(arguments);
+  const Subject subject = subject_of(arguments);
   const auto cosine_of = [&](const Light& light) {
-    return glm::dot(towards(light, 0, task.place).first, task.normal);
+    return glm::dot(towards(light, 0, subject.place).first, subject.normal);
   };
-  const double cosine = cosine_of(task.lights[0]);
+  const double cosine = cosine_of(subject.lights[0]);
   if (!(cosine > 0)) refuse(arguments, {"lights", "normal"}, "expected a first lamp in front of the surface");
   narrator.paper(38, 18);
   narrator.trace().subtitle = narrator.words().say("lobes.subtitle");
@@ -108,7 +108,7 @@ inline void tell_lobes(Narrator& narrator) {
                    {Role::result, "lobes"}});
   LobeStory story(narrator.words(), degrees_of(cosine));
   narrator.handles("lights", [&](dvec3 position) {
-    return LobeStory::start_of(degrees_of(cosine_of(moved_to(position, task.lights[0], arguments))));
+    return LobeStory::start_of(degrees_of(cosine_of(moved_to(position, subject.lights[0], arguments))));
   });
   // Of several lamps the first alone is drawn
   std::erase_if(narrator.trace().handles, [](const Handle& handle) { return handle.numbers[0] > 0; });

@@ -13,7 +13,7 @@ namespace gradus::illumination {
 
 using Surface = Reflectance<double>;
 
-struct Task {
+struct Subject {
   dvec3 place, normal, eye;
   Surface surface;
   std::vector<Light> lights{};
@@ -85,20 +85,20 @@ inline Light moved_to(dvec3 position, Light light, const Arguments& arguments) {
   return light;
 }
 
-inline Task task_of(const Arguments& arguments) {
-  Task task{.place = *arguments.place("place"),
-            .normal = unit_vector(*arguments.place("normal")),
-            .eye = *arguments.place("eye"),
-            .surface = surface_of(arguments)};
-  if (task.normal == dvec3{0}) refuse(arguments, {"normal"}, "expected a normal with a direction");
+inline Subject subject_of(const Arguments& arguments) {
+  Subject subject{.place = *arguments.place("place"),
+                  .normal = unit_vector(*arguments.place("normal")),
+                  .eye = *arguments.place("eye"),
+                  .surface = surface_of(arguments)};
+  if (subject.normal == dvec3{0}) refuse(arguments, {"normal"}, "expected a normal with a direction");
   const Light pattern = lamp_of(arguments);
   for (const dvec3 position : arguments.places("lights")) {
-    task.lights.push_back(moved_to(position, pattern, arguments));
-    const Light& light = task.lights.back();
+    subject.lights.push_back(moved_to(position, pattern, arguments));
+    const Light& light = subject.lights.back();
     if (light.kind != Light::Kind::point && light.direction == dvec3{0})
       refuse(arguments, {"aim", "lights"}, "expected lamps that point somewhere");
   }
-  return task;
+  return subject;
 }
 
 /// With two or three digits, as drawings have room for.

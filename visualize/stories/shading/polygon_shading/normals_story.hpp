@@ -12,7 +12,7 @@ inline constexpr Extent normals_place{{1.5, 1}, {34.5, 23}};
 
 class NormalsStory : public Past<steps::Started, NormalAdded<double>, VertexDone<double>, steps::Finished> {
  public:
-  NormalsStory(const Words& words, const Subject& mesh, const faces_task::Reader& reader,
+  NormalsStory(const Words& words, const Subject& mesh, const faces_subject::Reader& reader,
                std::string weighting)
       : words_(words),
         mesh_(mesh),
@@ -145,7 +145,7 @@ class NormalsStory : public Past<steps::Started, NormalAdded<double>, VertexDone
 
   const Words& words_;
   const Subject& mesh_;
-  const faces_task::Reader& reader_;
+  const faces_subject::Reader& reader_;
   const std::string weighting_;
   Panel panel_;
   double length_ = 1;
@@ -153,7 +153,7 @@ class NormalsStory : public Past<steps::Started, NormalAdded<double>, VertexDone
 
 inline void tell_vertex_normals(Narrator& narrator) {
   const Subject mesh = mesh_of(narrator.arguments());
-  const faces_task::Reader reader = faces_task::reader_of(narrator.arguments());
+  const faces_subject::Reader reader = faces_subject::reader_of(narrator.arguments());
   narrator.paper(normals_paper_width, normals_paper_height);
   narrator.trace().subtitle =
       narrator.words().count("normals.subtitle", std::ssize(mesh.rings), {{"vertices", mesh.places.size()}});

@@ -82,7 +82,7 @@ inline Weighting weighting_of(const Arguments& arguments) {
 
 /// Vertices, faces and normals alone.
 inline Subject mesh_of(const Arguments& arguments) {
-  Subject subject{.named = faces_task::faces_of(arguments)};
+  Subject subject{.named = faces_subject::faces_of(arguments)};
   std::map<std::array<double, 3>, int> numbers;
   for (const NamedFace& face : subject.named) {
     subject.rings.emplace_back();

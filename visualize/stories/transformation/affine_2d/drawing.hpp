@@ -29,9 +29,9 @@ inline std::vector<dvec2> arc_round(dvec2 pivot, dvec2 from, double degrees) {
 class Layout {
  public:
   /// undo: the matrices are inverses. world: all that has to be seen. largest: the size of the largest shape.
-  Layout(const Wording& words, const Task& task, bool undo, Extent world, double largest)
+  Layout(const Wording& words, const Subject& subject, bool undo, Extent world, double largest)
       : words_(words),
-        matrices_(room_for_matrices(task, undo)),
+        matrices_(room_for_matrices(subject, undo)),
         far_(longer_side(world) > most_apart * largest && largest > 0),
         above_(far_ ? beside().size().x < least_apart : is_wide(world)),
         panel_(place(), roomy(world)) {}
@@ -118,12 +118,12 @@ class Layout {
   }
 
   /// The largest of the matrices that will be shown.
-  dvec2 room_for_matrices(const Task& task, bool undo) const {
+  dvec2 room_for_matrices(const Subject& subject, bool undo) const {
     dvec2 most = matrix_size(shown(rows_of(Matrix<double>(1.0))));
     Matrix<double> product(1.0);
     const auto show = [&](const Matrix<double>& m) { most = glm::max(most, matrix_size(shown(rows_of(m)))); };
-    for (std::size_t k = 0; k < task.factors.size(); ++k) {
-      const Factor<double>& factor = task.factors[undo ? task.factors.size() - 1 - k : k];
+    for (std::size_t k = 0; k < subject.factors.size(); ++k) {
+      const Factor<double>& factor = subject.factors[undo ? subject.factors.size() - 1 - k : k];
       const auto back = undo ? inverse(factor) : std::optional(factor);
       if (!back) break;
       const Matrix<double> m = matrix(*back);

@@ -41,7 +41,7 @@ inline Factor<double> factor_of(const FactorText& text) {
 }
 
 /// What a run is about.
-struct Task {
+struct Subject {
   std::vector<FactorText> texts;
   std::vector<Factor<double>> factors;
   Shape shape;
@@ -63,14 +63,14 @@ struct Task {
   }
 };
 
-inline Task task_of(const Arguments& arguments) {
-  Task task;
-  task.texts = arguments.factors("factors");
-  if (arguments.text("pivots") == "split") task.texts = split_at_pivots(task.texts);
-  for (const FactorText& text : task.texts) task.factors.push_back(factor_of(text));
-  task.shape = arguments.points("polygon");
-  task.compare = arguments.text("orders") == "both";
-  return task;
+inline Subject subject_of(const Arguments& arguments) {
+  Subject subject;
+  subject.texts = arguments.factors("factors");
+  if (arguments.text("pivots") == "split") subject.texts = split_at_pivots(subject.texts);
+  for (const FactorText& text : subject.texts) subject.factors.push_back(factor_of(text));
+  subject.shape = arguments.points("polygon");
+  subject.compare = arguments.text("orders") == "both";
+  return subject;
 }
 
 inline MatrixRows rows_of(const Matrix<double>& m) {
@@ -130,11 +130,11 @@ Factor<T> factor_in(const Factor<double>& factor) {
 
 /// The factors are the doubles' in all three: what is compared is multiplying and moving.
 template <class T, class Act, class Watch>
-void run_in(const Task& task, Act act, const Watch& observer) {
+void run_in(const Subject& subject, Act act, const Watch& observer) {
   std::vector<Factor<T>> factors;
-  for (const Factor<double>& factor : task.factors) factors.push_back(factor_in<T>(factor));
+  for (const Factor<double>& factor : subject.factors) factors.push_back(factor_in<T>(factor));
   std::vector<Point<T>> points;
-  for (const dvec2 p : task.shape) points.push_back(in_scalar<T>(p));
+  for (const dvec2 p : subject.shape) points.push_back(in_scalar<T>(p));
   act(std::span<const Factor<T>>(factors), std::span(points), observer);
 }
 

@@ -22,7 +22,7 @@ inline Mat matrix_of(const FactorText& text) {
   return about(pivot, rodrigues(direction_of(point_of(text.axis)), turn));
 }
 
-struct Task {
+struct Subject {
   std::vector<FactorText> texts;
   std::vector<Mat> factors;
   dvec3 axis, through, point, size;
@@ -30,21 +30,21 @@ struct Task {
   bool compare;
 };
 
-inline Task task_of(const Arguments& arguments) {
-  Task task{.texts = arguments.factors("factors"),
-            .factors = {},
-            .axis = *arguments.place("axis"),
-            .through = *arguments.place("through"),
-            .point = *arguments.place("point"),
-            .size = *arguments.place("box"),
-            .angle = *arguments.number("angle"),
-            .compare = arguments.text("orders") == "both"};
-  for (const FactorText& text : task.texts) task.factors.push_back(matrix_of(text));
-  if (task.axis == dvec3{0}) refuse("axis", "expected an axis, not the zero vector 0,0,0");
+inline Subject subject_of(const Arguments& arguments) {
+  Subject subject{.texts = arguments.factors("factors"),
+                  .factors = {},
+                  .axis = *arguments.place("axis"),
+                  .through = *arguments.place("through"),
+                  .point = *arguments.place("point"),
+                  .size = *arguments.place("box"),
+                  .angle = *arguments.number("angle"),
+                  .compare = arguments.text("orders") == "both"};
+  for (const FactorText& text : subject.texts) subject.factors.push_back(matrix_of(text));
+  if (subject.axis == dvec3{0}) refuse("axis", "expected an axis, not the zero vector 0,0,0");
   for (const int i : {0, 1, 2}) {
-    if (!(task.size[i] > 0)) refuse("box", "expected three numbers above 0: width, height and depth");
+    if (!(subject.size[i] > 0)) refuse("box", "expected three numbers above 0: width, height and depth");
   }
-  return task;
+  return subject;
 }
 
 /// What rounding has left of zeros is nothing to show.

@@ -12,14 +12,14 @@ namespace gradus::affine_3d {
 
 class PartsStory {
  public:
-  PartsStory(const Words& words, const Task& task)
+  PartsStory(const Words& words, const Subject& subject)
       : words_(words),
-        task_(task),
-        align_(alignment(task.axis)),
-        box_(box_of(task.size)),
-        n_(direction_of(task.axis)) {
+        subject_(subject),
+        align_(alignment(subject.axis)),
+        box_(box_of(subject.size)),
+        n_(direction_of(subject.axis)) {
     Recorder<Decomposed<double>> seen;
-    decomposition(task.through, align_, turn_degrees(task.angle), seen);
+    decomposition(subject.through, align_, turn_degrees(subject.angle), seen);
     Extent world = world_of_axes(reach());
     add_to(world, box_);
     add_to(world, axis(Mat(1)));
@@ -40,9 +40,9 @@ class PartsStory {
   void show(Board& board, const Input&) { milestone(board, Role::input); }
   Event say(const Input&) const {
     return standing({.text = "input",
-                     .words = {{"angle", task_.angle},
-                               {"axis", task_.axis},
-                               {"through", task_.through},
+                     .words = {{"angle", subject_.angle},
+                               {"axis", subject_.axis},
+                               {"through", subject_.through},
                                {"count", parts_.size()}},
                      .begins = true});
   }
@@ -66,20 +66,20 @@ class PartsStory {
                                {"by", dvec3(m[3])},
                                {"sin", sin},
                                {"cos", cos},
-                               {"axis", clean(dvec3(product_ * glm::dvec4(task_.axis, 0)))}},
+                               {"axis", clean(dvec3(product_ * glm::dvec4(subject_.axis, 0)))}},
                      .phase = round_z ? "" : words_.say("phase"),
                      .decides = decision(d.part)});
   }
 
   void show(Board& board, const steps::Finished&) { milestone(board, Role::result); }
   Event say(const steps::Finished&) const {
-    const Mat whole = about(task_.through, rodrigues(n_, turn_degrees(task_.angle)));
+    const Mat whole = about(subject_.through, rodrigues(n_, turn_degrees(subject_.angle)));
     double apart = 0;
     for (int i = 0; i < 16; ++i)
       apart = std::max(apart, std::abs(whole[i / 4][i % 4] - product_[i / 4][i % 4]));
     return {.text = "parts_done",
             .facts = fields_of(corner()),
-            .words = {{"angle", task_.angle}, {"apart", apart}},
+            .words = {{"angle", subject_.angle}, {"apart", apart}},
             .level = Level::step};
   }
 
@@ -105,18 +105,18 @@ class PartsStory {
   }
   /// The ends of the axis as it is drawn.
   Shape axis(const Mat& m) const {
-    const auto [from, to] = axis_along(task_.through, n_);
+    const auto [from, to] = axis_along(subject_.through, n_);
     return moved(m, {from, to});
   }
   std::pair<dvec3, dvec3> axis_along(dvec3 through, dvec3 n) const {
-    const double reach = reach_of(task_.size);
+    const double reach = reach_of(subject_.size);
     return {through - 0.5 * reach * n, through + reach * n};
   }
   dvec2 on_paper(dvec3 p) const { return panel_->at(oblique(p)); }
   /// Of the axes of space: z comes out of what lies before it.
   dvec3 reach() const {
-    const double all = reach_of(task_.size), beyond = all / 5;
-    return {task_.size.x + beyond, task_.size.y + beyond, all};
+    const double all = reach_of(subject_.size), beyond = all / 5;
+    return {subject_.size.x + beyond, subject_.size.y + beyond, all};
   }
   dvec3 corner() const { return transform(product_, box_[corner_a]); }
   Event standing(Event event) const {
@@ -148,7 +148,7 @@ class PartsStory {
   }
 
   const Words& words_;
-  const Task& task_;
+  const Subject& subject_;
   const Alignment<double> align_;
   const Shape box_;
   const dvec3 n_;
@@ -163,14 +163,14 @@ class PartsStory {
 class VectorStory {
  public:
   /// constant: the offset of a camera from its car is added as it is.
-  VectorStory(const Words& words, const Task& task, bool constant)
+  VectorStory(const Words& words, const Subject& subject, bool constant)
       : words_(words),
-        task_(task),
+        subject_(subject),
         constant_(constant),
-        n_(direction_of(task.axis)),
-        turn_(turn_degrees(task.angle)) {
+        n_(direction_of(subject.axis)),
+        turn_(turn_degrees(subject.angle)) {
     for (int i = 0; i <= 72; ++i) circle_.push_back(turned_by(5.0 * i));
-    for (int i = 0; i <= 24; ++i) arc_.push_back(turned_by(task.angle * i / 24.0));
+    for (int i = 0; i <= 24; ++i) arc_.push_back(turned_by(subject.angle * i / 24.0));
     axis_ = axis_along(n_);
     Extent world;
     world.add({0, 0});
@@ -185,10 +185,12 @@ class VectorStory {
 
   void show(Board& board, const Input&) { milestone(board); }
   Event say(const Input&) const {
-    Event event = told(
-        "vector_input",
-        {{"point", task_.point}, {"angle", task_.angle}, {"axis", task_.axis}, {"through", task_.through}},
-        "n", n_);
+    Event event = told("vector_input",
+                       {{"point", subject_.point},
+                        {"angle", subject_.angle},
+                        {"axis", subject_.axis},
+                        {"through", subject_.through}},
+                       "n", n_);
     event.begins = true;
     return event;
   }
@@ -214,20 +216,20 @@ class VectorStory {
   Event say(const OffsetAdded<double>& s) const {
     return result(
         "offset_added",
-        {{"offset", clean(s.offset)}, {"to", clean(to_)}, {"right", clean(turned_by(task_.angle))}});
+        {{"offset", clean(s.offset)}, {"to", clean(to_)}, {"right", clean(turned_by(subject_.angle))}});
   }
 
  private:
   /// The ends of the axis as it is drawn: beyond the point that turns and beyond Q.
   Shape axis_along(dvec3 n) const {
-    const dvec3 p = task_.point - task_.through;
+    const dvec3 p = subject_.point - subject_.through;
     const double along = std::max(glm::dot(p, n), 0.0), back = std::min(glm::dot(p, n), 0.0);
     const double radius = std::sqrt(std::max(0.0, glm::dot(p, p) - along * along - back * back));
-    return {task_.through + (back - 0.35 * (radius + 1)) * n,
-            task_.through + (along + 0.6 * (radius + 1)) * n};
+    return {subject_.through + (back - 0.35 * (radius + 1)) * n,
+            subject_.through + (along + 0.6 * (radius + 1)) * n};
   }
   dvec3 turned_by(double degrees) const {
-    return turn_vector(n_, task_.through, turn_degrees(degrees), task_.point);
+    return turn_vector(n_, subject_.through, turn_degrees(degrees), subject_.point);
   }
   void learn(Board& board, int level, dvec3& vector, dvec3 value) {
     level_ = level;
@@ -236,7 +238,7 @@ class VectorStory {
   }
   Event told(std::string_view text, std::vector<Word> words, Said name, dvec3 vector) const {
     return {.text = text,
-            .facts = fields_of(level_ == 4 ? to_ : task_.point),
+            .facts = fields_of(level_ == 4 ? to_ : subject_.point),
             .words = std::move(words),
             .row = row_of(std::move(name), vector)};
   }
@@ -253,10 +255,10 @@ class VectorStory {
     add_arrow(view, panel, "axis", Role::boundary, axis_[0], axis_[1], words_.say("axis"));
     view.add({"a disc", Role::guide, Area{{on_paper(panel, circle_)}, 2}});
     view.add({"b circle", Role::guide, Path{on_paper(panel, circle_), false, true}});
-    add_dot(view, panel, "through", Role::boundary, task_.through, "Q");
-    add_dot(view, panel, "point", left_behind_ ? Role::rejected : Role::input, task_.point,
+    add_dot(view, panel, "through", Role::boundary, subject_.through, "Q");
+    add_dot(view, panel, "point", left_behind_ ? Role::rejected : Role::input, subject_.point,
             left_behind_ ? "P = P′" : "P");
-    add_arrow(view, panel, "p", Role::input, task_.through, task_.point, words_.symbol("p"));
+    add_arrow(view, panel, "p", Role::input, subject_.through, subject_.point, words_.symbol("p"));
     add_vectors(view);
     if (level_ >= 4 || left_behind_) {
       const std::vector<dvec2> arc = on_paper(panel, arc_);
@@ -264,20 +266,20 @@ class VectorStory {
       view.add({"k arc", Role::measure, Label{arc[12], "θ"}});
     }
     if (left_behind_)
-      add_dot(view, panel, "belongs", Role::accepted, turned_by(task_.angle), words_.say("belongs"));
+      add_dot(view, panel, "belongs", Role::accepted, turned_by(subject_.angle), words_.say("belongs"));
     const std::string formula = constant_ ? "P′ = Q + (P − Q)" : "P′ = Q + r + cos θ · s + sin θ · v";
     view.add({"l formula", Role::guide, Text{{18, 0.8}, formula}});
     board.milestone(std::move(view));
   }
   /// As many of r, s and v as are known, and what they make.
   void add_vectors(View& view) const {
-    const dvec3 foot = task_.through + r_;
+    const dvec3 foot = subject_.through + r_;
     const auto add = [&](int level, const std::string& name, dvec3 from, dvec3 to) {
       if (level_ < level) return;
       add_arrow(view, *panel_, name, level == level_ ? Role::current : Role::past, from, to, name);
     };
-    add(1, "r", task_.through, foot);
-    add(2, "s", foot, task_.point);
+    add(1, "r", subject_.through, foot);
+    add(2, "s", foot, subject_.point);
     add(3, "v", foot, foot + v_);
     if (level_ < 4) return;
     add_arrow(view, *panel_, "t", Role::result, foot, to_, "");
@@ -285,7 +287,7 @@ class VectorStory {
   }
 
   const Words& words_;
-  const Task& task_;
+  const Subject& subject_;
   const bool constant_;
   bool left_behind_ = false;
   const dvec3 n_;

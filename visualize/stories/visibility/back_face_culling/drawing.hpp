@@ -16,15 +16,15 @@ std::vector<std::span<const Vec>> spans_of(const std::vector<std::vector<Vec>>& 
 }
 
 /// What a run is about: faces, and their viewer.
-struct Task {
+struct Subject {
   std::vector<NamedFace> faces;
   std::vector<Ring> rings = mapped(faces, &NamedFace::points);
   bool distant = false;  ///< the eye is infinitely far away
   Eye<double> eye{};
   Frame<double> frame{};     ///< of the eye, or of a place before the faces
   std::vector<Ring> view{};  ///< right, up, forward
-  dvec3 middle = faces_task::bounds_of(faces).centre();
-  double radius = faces_task::bounds_of(faces).radius();
+  dvec3 middle = faces_subject::bounds_of(faces).centre();
+  double radius = faces_subject::bounds_of(faces).radius();
 
   dvec3 in_view(dvec3 p) const { return viewing::to_view(frame, p); }
   /// (x, y, w) of a lens of 90 degrees.
@@ -42,7 +42,7 @@ struct Task {
   }
   /// A place inside a face, for its name.
   dvec3 inside(std::size_t face) const {
-    return middle_of(faces_task::is_flat(rings[face]) ? convex_parts(rings[face])[0] : rings[face]);
+    return middle_of(faces_subject::is_flat(rings[face]) ? convex_parts(rings[face])[0] : rings[face]);
   }
   /// Whether all corners have such a depth.
   template <class Is>
@@ -53,22 +53,22 @@ struct Task {
   bool eye_is_near() const { return !distant && length_between(dvec3(eye), middle) <= 4.5 * radius; }
 };
 
-inline Task task_of(const Arguments& arguments) {
-  Task task{faces_task::faces_of(arguments)};
+inline Subject subject_of(const Arguments& arguments) {
+  Subject subject{faces_subject::faces_of(arguments)};
   if (const auto towards = arguments.place("towards")) {
-    const faces_task::Reader reader = faces_task::reader_of(arguments);
-    task.distant = true;
-    task.eye = {*towards, 0};
-    task.frame = {dvec3{0}, reader.right, reader.up, -reader.towards};
+    const faces_subject::Reader reader = faces_subject::reader_of(arguments);
+    subject.distant = true;
+    subject.eye = {*towards, 0};
+    subject.frame = {dvec3{0}, reader.right, reader.up, -reader.towards};
   } else {
     const dvec3 eye = *arguments.place("eye"), target = *arguments.place("target");
     if (eye == target) refuse(arguments, {"target", "eye"}, "a target away from the eye expected");
-    task.eye = {eye, 1};
-    task.frame = viewing::spare_up(eye, target, dvec3{0, 1, 0});
+    subject.eye = {eye, 1};
+    subject.frame = viewing::spare_up(eye, target, dvec3{0, 1, 0});
   }
-  for (const Ring& ring : task.rings)
-    task.view.push_back(mapped(ring, [&](dvec3 p) { return task.in_view(p); }));
-  return task;
+  for (const Ring& ring : subject.rings)
+    subject.view.push_back(mapped(ring, [&](dvec3 p) { return subject.in_view(p); }));
+  return subject;
 }
 
 /// How a face looks by now.
@@ -109,30 +109,30 @@ std::vector<DrawnEdge<Vec>> edges_by_rank(const std::vector<std::vector<Vec>>& r
 /// The faces from beside the eye.
 class SpacePicture {
  public:
-  SpacePicture(const Task& task, const Extent& place, bool of_clip_space)
-      : task_(task),
+  SpacePicture(const Subject& subject, const Extent& place, bool of_clip_space)
+      : subject_(subject),
         of_clip_space_(of_clip_space),
-        reader_(unit_vector(-0.55 * task.frame.forward + 0.8 * task.frame.right +
-                            (of_clip_space ? 0.65 : 0.3) * task.frame.up)),
+        reader_(unit_vector(-0.55 * subject.frame.forward + 0.8 * subject.frame.right +
+                            (of_clip_space ? 0.65 : 0.3) * subject.frame.up)),
         panel_(place, {}) {
     Extent extent;
-    for (const Ring& ring : task.rings) {
+    for (const Ring& ring : subject.rings) {
       extent.add(reader_.flat(tip_of(ring[0], newell_normal<double>(ring))));
       extent.add(reader_.flat(ring[0] + view_arrow(ring[0])));
       for (const dvec3 p : ring) extent.add(reader_.flat(p));
     }
-    if (task.eye_is_near()) extent.add(reader_.flat(dvec3(task.eye)));
+    if (subject.eye_is_near()) extent.add(reader_.flat(dvec3(subject.eye)));
     for (const dvec3 p : eye_plane()) extent.add(reader_.flat(p));
     panel_ = Panel(place, extent);
   }
 
   void add(View& view, const std::vector<Look>& looks) const {
     SpaceDrawing drawing(reader_.look(panel_));
-    for (std::size_t i = 0; i < task_.rings.size(); ++i) {
-      if (looks[i].filled) add_face(drawing, fmt::format("b {:03}", i), looks[i].role, task_.rings[i]);
+    for (std::size_t i = 0; i < subject_.rings.size(); ++i) {
+      if (looks[i].filled) add_face(drawing, fmt::format("b {:03}", i), looks[i].role, subject_.rings[i]);
     }
     std::size_t number = 0;
-    for (const auto& [look, a, b] : edges_by_rank(task_.rings, looks)) {
+    for (const auto& [look, a, b] : edges_by_rank(subject_.rings, looks)) {
       drawing.add(SpaceEdge{.id = fmt::format("b edge {:03}", number++),
                             .role = look.role,
                             .a = a,
@@ -152,12 +152,13 @@ class SpacePicture {
     drawing.add_to(view, "a");
     for (std::size_t i = 0; i < looks.size(); ++i) {
       if (looks[i].named)
-        view.add({fmt::format("n {:03}", i), looks[i].role, Text{at(task_.inside(i)), task_.faces[i].name}});
+        view.add(
+            {fmt::format("n {:03}", i), looks[i].role, Text{at(subject_.inside(i)), subject_.faces[i].name}});
     }
-    if (task_.eye_is_near()) view.add_named("e eye", Role::boundary, at(dvec3(task_.eye)), "E");
+    if (subject_.eye_is_near()) view.add_named("e eye", Role::boundary, at(dvec3(subject_.eye)), "E");
   }
   void add_normal(View& view, std::size_t face, dvec3 normal) const {
-    const dvec3 p = task_.rings[face][0];
+    const dvec3 p = subject_.rings[face][0];
     view.add_named("p corner", Role::current, at(p), "P");
     if (normal != dvec3{0}) add_arrow(view, "p normal", Role::input, at(p), at(tip_of(p, normal)), "N");
   }
@@ -167,7 +168,7 @@ class SpacePicture {
     view.add({"p sight end", Role::measure, Dot{at(place)}});
   }
   void add_view(View& view, std::size_t face) const {
-    const dvec3 p = task_.rings[face][0], arrow = view_arrow(p);
+    const dvec3 p = subject_.rings[face][0], arrow = view_arrow(p);
     add_arrow(view, "p view", Role::measure, at(p), at(p + arrow), "V", at(p + 0.6 * arrow));
   }
 
@@ -175,32 +176,33 @@ class SpacePicture {
 
  private:
   void add_face(SpaceDrawing& drawing, const std::string& id, Role role, const Ring& ring) const {
-    const auto parts = faces_task::is_flat(ring) ? std::vector<Ring>{ring} : triangles_of(ring);
+    const auto parts = faces_subject::is_flat(ring) ? std::vector<Ring>{ring} : triangles_of(ring);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       // A triangle of what is not flat may have no area
-      if (length_of(newell_normal<double>(parts[k])) <= 1e-9 * task_.radius * task_.radius) continue;
+      if (length_of(newell_normal<double>(parts[k])) <= 1e-9 * subject_.radius * subject_.radius) continue;
       drawing.add(
           SpaceFace{.id = fmt::format("{} {}", id, k), .role = role, .ring = parts[k], .one_sided = false});
     }
   }
   /// A part of the plane w = 0 through the eye, where that is to be seen.
   Ring eye_plane() const {
-    if (!of_clip_space_ || !task_.eye_is_near()) return {};
+    if (!of_clip_space_ || !subject_.eye_is_near()) return {};
     const auto corner = [&](dvec2 to) {
-      return dvec3(task_.eye) + 0.4 * task_.radius * (to.x * task_.frame.right + to.y * task_.frame.up);
+      return dvec3(subject_.eye) +
+             0.4 * subject_.radius * (to.x * subject_.frame.right + to.y * subject_.frame.up);
     };
     return mapped(Ring2{{-1, 1}, {1, 1}, {1, -1}, {-1, -1}}, corner);
   }
-  dvec3 tip_of(dvec3 p, dvec3 normal) const { return p + 0.4 * task_.radius * unit_vector(normal); }
+  dvec3 tip_of(dvec3 p, dvec3 normal) const { return p + 0.4 * subject_.radius * unit_vector(normal); }
   /// The view vector where the drawing has room for it, else its beginning.
   dvec3 view_arrow(dvec3 p) const {
-    const dvec3 whole = view_vector<double>(std::span(&p, 1), task_.eye);
-    return task_.eye_is_near() ? whole : task_.radius * unit_vector(whole);
+    const dvec3 whole = view_vector<double>(std::span(&p, 1), subject_.eye);
+    return subject_.eye_is_near() ? whole : subject_.radius * unit_vector(whole);
   }
 
-  const Task& task_;
+  const Subject& subject_;
   const bool of_clip_space_;
-  faces_task::Reader reader_;
+  faces_subject::Reader reader_;
   Panel panel_;
 };
 
@@ -210,9 +212,10 @@ class SpacePicture {
 class EyePicture {
  public:
   /// mirrored: also of corners behind the eye, which come out mirrored.
-  EyePicture(const Task& task, const Extent& place, bool mirrored) : task_(task), panel_(place, {}) {
-    if (!task.depths_are([&](double w) { return mirrored ? w != 0 : w > 0; })) return;
-    outlines_ = task.outlines();
+  EyePicture(const Subject& subject, const Extent& place, bool mirrored)
+      : subject_(subject), panel_(place, {}) {
+    if (!subject.depths_are([&](double w) { return mirrored ? w != 0 : w > 0; })) return;
+    outlines_ = subject.outlines();
     panel_ = Panel(place, extent_around(std::views::join(outlines_)));
   }
   bool empty() const { return outlines_.empty(); }
@@ -231,9 +234,9 @@ class EyePicture {
   void add_names(View& view, const std::vector<Look>& looks) const {
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
       if (!looks[i].named) continue;
-      const dvec3 place = task_.in_view(task_.inside(i));
-      const dvec2 at = panel_.at(dvec2(place) / (task_.distant ? 1 : place.z));
-      view.add({fmt::format("r {:03} name", i), looks[i].role, Text{at, task_.faces[i].name}});
+      const dvec3 place = subject_.in_view(subject_.inside(i));
+      const dvec2 at = panel_.at(dvec2(place) / (subject_.distant ? 1 : place.z));
+      view.add({fmt::format("r {:03} name", i), looks[i].role, Text{at, subject_.faces[i].name}});
     }
   }
   /// Which way a face turns: an arrow along each edge.
@@ -254,7 +257,7 @@ class EyePicture {
   }
 
  private:
-  const Task& task_;
+  const Subject& subject_;
   std::vector<Ring2> outlines_{};
   Panel panel_;
 };

@@ -23,12 +23,12 @@ inline auto same_as(const DPolygon& polygon) {
 
 /// What a run is about: polygons, which are parts of the faces given.
 struct Polygons {
-  std::vector<faces_task::NamedPart> parts;
+  std::vector<faces_subject::NamedPart> parts;
   std::vector<DPolygon> polygons{};
   std::vector<dvec3> points{};  ///< all corners
 };
 inline Polygons polygons_of(const Arguments& arguments) {
-  Polygons all{faces_task::parts_of(faces_task::faces_of(arguments))};
+  Polygons all{faces_subject::parts_of(faces_subject::faces_of(arguments))};
   for (std::size_t i = 0; i < all.parts.size(); ++i) {
     const Ring& ring = all.parts[i].ring;
     all.polygons.push_back({ring, i});
@@ -41,15 +41,15 @@ inline Polygons polygons_of(const Arguments& arguments) {
 /// were reported.
 class PartNames {
  public:
-  explicit PartNames(const std::vector<faces_task::NamedPart>& parts) {
+  explicit PartNames(const std::vector<faces_subject::NamedPart>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) names_[text_of(parts[i].ring, i)] = parts[i].name;
   }
   const std::string& operator()(const DPolygon& polygon) const { return names_.at(text_of(polygon)); }
   /// The parts of one that was cut.
   void cut(const DPolygon& whole, const DPolygon& in_front, const DPolygon& behind) {
     const std::string name = (*this)(whole);
-    names_[text_of(in_front)] = faces_task::part_name(name, 0);
-    names_[text_of(behind)] = faces_task::part_name(name, 1);
+    names_[text_of(in_front)] = faces_subject::part_name(name, 0);
+    names_[text_of(behind)] = faces_subject::part_name(name, 1);
   }
 
  private:
@@ -128,7 +128,7 @@ class TreeDrawing {
 /// Polygons seen along a plane: it is a straight line, above which is what lies in front of it.
 class EdgeOnPicture {
  public:
-  EdgeOnPicture(const Extent& place, const Plane<double>& plane, const faces_task::Reader& reader,
+  EdgeOnPicture(const Extent& place, const Plane<double>& plane, const faces_subject::Reader& reader,
                 const std::vector<DPolygon>& polygons)
       : place_(place),
         origin_(plane.a),

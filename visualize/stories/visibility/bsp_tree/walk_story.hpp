@@ -7,12 +7,12 @@
 namespace gradus::bsp_tree {
 
 /// What a run is about.
-struct Task : Polygons {
-  faces_task::Reader reader;
+struct Subject : Polygons {
+  faces_subject::Reader reader;
 };
 
-inline Task task_of(const Arguments& arguments) {
-  const faces_task::Reader reader = faces_task::reader_of(arguments);
+inline Subject subject_of(const Arguments& arguments) {
+  const faces_subject::Reader reader = faces_subject::reader_of(arguments);
   return {polygons_of(arguments), reader};
 }
 
@@ -21,11 +21,11 @@ inline constexpr Extent picture_place{{0.6, 0.6}, {20.6, 23.4}}, walked_place{{2
 
 class WalkStory : public Past<steps::Started, Visited, Drawn<double>, steps::Finished> {
  public:
-  WalkStory(const Words& words, const Task& task, const DTree& tree, PartNames names)
+  WalkStory(const Words& words, const Subject& subject, const DTree& tree, PartNames names)
       : words_(words),
         tree_(tree),
         names_(std::move(names)),
-        picture_(task.reader, picture_place, task.points),
+        picture_(subject.reader, picture_place, subject.points),
         drawing_(tree, walked_place) {}
 
   dvec2 at(dvec3 p) const { return picture_.at(p); }

@@ -19,7 +19,7 @@ using Rectangle = gradus::Extent;
 inline constexpr int paper_width = 36, paper_height = 24;
 
 /// What a run is about: polygons, and their viewer.
-struct Task : bsp_tree::Polygons {
+struct Subject : bsp_tree::Polygons {
   DView view{};
   dvec3 right{}, up{}, forward{};  ///< of the view, of length 1
 
@@ -40,33 +40,33 @@ struct Task : bsp_tree::Polygons {
 };
 
 /// The eye must be outside, with all in front of it: 89 degrees aside at most.
-inline void require_in_front(const Arguments& arguments, const Task& task) {
-  for (const DPolygon& polygon : task.polygons) {
+inline void require_in_front(const Arguments& arguments, const Subject& subject) {
+  for (const DPolygon& polygon : subject.polygons) {
     for (const dvec3 p : polygon.corners) {
-      if (task.depth(p) > 0.0175 * glm::length(task.from_eye(p))) continue;
+      if (subject.depth(p) > 0.0175 * glm::length(subject.from_eye(p))) continue;
       refuse(arguments, {"eye", "faces"},
              fmt::format("an eye outside expected, with all faces in front of it; {} is beside or behind it",
-                         task.parts[polygon.face].name));
+                         subject.parts[polygon.face].name));
     }
   }
 }
 
-inline Task task_of(const Arguments& arguments) {
-  Task task{bsp_tree::polygons_of(arguments)};
+inline Subject subject_of(const Arguments& arguments) {
+  Subject subject{bsp_tree::polygons_of(arguments)};
   Bounds bounds;
-  for (const dvec3 p : task.points) bounds.add(p);
+  for (const dvec3 p : subject.points) bounds.add(p);
   const auto eye = arguments.place("eye");
   if (eye && *eye == bounds.centre())
     refuse(arguments, {"eye"}, "an eye outside expected, found it in the middle of all faces");
-  const faces_task::Reader reader =
-      eye ? faces_task::Reader(*eye - bounds.centre()) : faces_task::reader_of(arguments);
-  task.right = reader.right;
-  task.up = reader.up;
-  task.forward = -reader.towards;
-  task.view = eye ? view_along(Eye<double>(*eye, 1), bounds.centre() - *eye, reader.up)
-                  : distant_view(*arguments.place("towards"), reader.up);
-  if (eye) require_in_front(arguments, task);
-  return task;
+  const faces_subject::Reader reader =
+      eye ? faces_subject::Reader(*eye - bounds.centre()) : faces_subject::reader_of(arguments);
+  subject.right = reader.right;
+  subject.up = reader.up;
+  subject.forward = -reader.towards;
+  subject.view = eye ? view_along(Eye<double>(*eye, 1), bounds.centre() - *eye, reader.up)
+                     : distant_view(*arguments.place("towards"), reader.up);
+  if (eye) require_in_front(arguments, subject);
+  return subject;
 }
 
 /// Of the paper: the picture, and beside it the order.
@@ -120,20 +120,20 @@ struct Wrong {
 };
 
 /// The depth at which a sight line meets a polygon's plane.
-inline double depth_at(const Task& task, const DPolygon& polygon, dvec2 seen) {
+inline double depth_at(const Subject& subject, const DPolygon& polygon, dvec2 seen) {
   const dvec3 normal = unit_vector(area_vector(polygon.corners));
-  const dvec3 aside = seen.x * task.right + seen.y * task.up;
-  const double to_plane = glm::dot(normal, task.from_eye(polygon.corners[0]));
-  if (!task.distant()) return to_plane / glm::dot(normal, aside + task.forward);
-  return (to_plane - glm::dot(normal, aside)) / glm::dot(normal, task.forward);
+  const dvec3 aside = seen.x * subject.right + seen.y * subject.up;
+  const double to_plane = glm::dot(normal, subject.from_eye(polygon.corners[0]));
+  if (!subject.distant()) return to_plane / glm::dot(normal, aside + subject.forward);
+  return (to_plane - glm::dot(normal, aside)) / glm::dot(normal, subject.forward);
 }
 
 /// Whether one that is painted over another lies behind it somewhere.
-inline bool wrongly_over(const Task& task, const DPolygon& late, const DPolygon& early) {
-  const Ring2 common = common_part(task.seen(late), task.seen(early));
+inline bool wrongly_over(const Subject& subject, const DPolygon& late, const DPolygon& early) {
+  const Ring2 common = common_part(subject.seen(late), subject.seen(early));
   if (!has_inside(common)) return false;
   return std::ranges::any_of(common, [&](dvec2 place) {
-    const double over = depth_at(task, late, place), under = depth_at(task, early, place);
+    const double over = depth_at(subject, late, place), under = depth_at(subject, early, place);
     return over > under + 1e-6 * (std::abs(over) + std::abs(under));
   });
 }
@@ -141,14 +141,14 @@ inline bool wrongly_over(const Task& task, const DPolygon& late, const DPolygon&
 /// What is painted so far, over outlines of what is to come; and the two polygons at hand.
 class Picture {
  public:
-  explicit Picture(const Task& task)
-      : task_(task),
-        flat_(faces_task::Reader(dvec3{0, 0, 1}), picture_place,
-              mapped(task.points, [&](dvec3 p) { return dvec3(task.seen(p), 0); })) {}
+  explicit Picture(const Subject& subject)
+      : subject_(subject),
+        flat_(faces_subject::Reader(dvec3{0, 0, 1}), picture_place,
+              mapped(subject.points, [&](dvec3 p) { return dvec3(subject.seen(p), 0); })) {}
 
-  dvec2 at(dvec3 p) const { return flat_.at(dvec3(task_.seen(p), 0)); }
+  dvec2 at(dvec3 p) const { return flat_.at(dvec3(subject_.seen(p), 0)); }
   std::optional<dvec2> shown_at(dvec3 p) const {
-    return task_.distant() || task_.depth(p) > 0 ? std::optional(at(p)) : std::nullopt;
+    return subject_.distant() || subject_.depth(p) > 0 ? std::optional(at(p)) : std::nullopt;
   }
   Ring2 at(const DPolygon& polygon) const {
     return mapped(polygon.corners, [&](dvec3 p) { return at(p); });
@@ -206,7 +206,7 @@ class Picture {
 
  private:
   Ring on_screen(const DPolygon& polygon) const {
-    return mapped(polygon.corners, [&](dvec3 p) { return dvec3(task_.seen(p), 0); });
+    return mapped(polygon.corners, [&](dvec3 p) { return dvec3(subject_.seen(p), 0); });
   }
   static std::pair<double, double> range(const Ring2& ring, int axis) {
     const Rectangle extent = extent_around(ring);
@@ -226,7 +226,7 @@ class Picture {
     return false;
   }
 
-  const Task& task_;
+  const Subject& subject_;
   FacesPicture flat_;
 };
 
@@ -284,8 +284,9 @@ class OrderPicture {
 /// The faces seen along the screen's upright: depths go up, from the eye below.
 class PlanPicture {
  public:
-  PlanPicture(const Task& task, const Rectangle& place) : task_(task), place_(place), panel_(place, {}) {
-    Rectangle extent = extent_around(mapped(task.points, [&](dvec3 p) { return task.from_above(p); }));
+  PlanPicture(const Subject& subject, const Rectangle& place)
+      : subject_(subject), place_(place), panel_(place, {}) {
+    Rectangle extent = extent_around(mapped(subject.points, [&](dvec3 p) { return subject.from_above(p); }));
     if (shows_eye(extent)) extent.add(dvec2{0});
     panel_ = Panel({place_.lower + dvec2{0, 1.4}, place_.upper}, extent);
     if (shows_eye(extent)) eye_ = panel_.at(dvec2{0});
@@ -293,7 +294,7 @@ class PlanPicture {
 
   void add_polygon(Drawing& drawing, const DPolygon& polygon, Role role, const std::string& name,
                    int rank) const {
-    const Ring2 ring = mapped(polygon.corners, [&](dvec3 p) { return panel_.at(task_.from_above(p)); });
+    const Ring2 ring = mapped(polygon.corners, [&](dvec3 p) { return panel_.at(subject_.from_above(p)); });
     drawing.add({fmt::format("v {} {}", rank, name), role, Path{ring, true}});
     drawing.add({"w " + name, role, Label{middle_of(ring), name}});
   }
@@ -316,7 +317,7 @@ class PlanPicture {
   void add_distance(Drawing& drawing, dvec3 place, Role role, const std::string& name,
                     const std::string& text) const {
     if (!eye_) return;
-    const dvec2 to = panel_.at(task_.from_above(place));
+    const dvec2 to = panel_.at(subject_.from_above(place));
     drawing.add({"x " + name, role, Stroke{*eye_, to, false, false, true}});
     drawing.add({"x " + name + " end", role, Dot{to}});
     drawing.add({"x " + name + " text", role, Label{0.5 * (*eye_ + to), text}});
@@ -325,10 +326,10 @@ class PlanPicture {
  private:
   /// It is not so far away that the faces become small.
   bool shows_eye(const Rectangle& extent) const {
-    return !task_.distant() && extent.lower.y <= 1.5 * std::max(extent.size().x, extent.size().y);
+    return !subject_.distant() && extent.lower.y <= 1.5 * std::max(extent.size().x, extent.size().y);
   }
 
-  const Task& task_;
+  const Subject& subject_;
   const Rectangle place_;
   Panel panel_;
   std::optional<dvec2> eye_{};
