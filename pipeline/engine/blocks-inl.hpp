@@ -45,31 +45,33 @@ HWY_INLINE F unsure(F nearness) {
   return hn::Add(hn::Mul(nearness, hn::Set(d, unsure_share)), hn::Set(d, unsure_at_least));
 }
 
-/// Cells in which a triangle comes before the one that is shown in all of their block, and those where that
-/// is open.
-struct OrderedCells {
+/// Lanes in which a triangle comes before the one that is shown there, and those where that is open.
+struct OrderedLanes {
   hn::Mask<Single> before, open;
 };
-/// open: cells of a block where single precision does not tell. ids: what the cells show. first: the block's
-/// first pixel, of the picture.
-HWY_INLINE OrderedCells order_cells(TileTies& ties, std::int32_t id, hn::Mask<Single> open,
-                                    const std::int32_t* ids, ivec2 first) {
+/// open: lanes where single precision does not tell. ids: what the lanes show. places: those of all lanes.
+HWY_INLINE OrderedLanes order_lanes(TileTies& ties, std::int32_t id, hn::Mask<Single> open,
+                                    const std::int32_t* ids, const Places& places) {
   const Whole whole;
   const Single single;
-  constexpr int step = triangle_coverage::subpixels;
   const I shown = hn::Load(whole, ids);
-  OrderedCells cells{hn::AndNot(open, open), open};
+  OrderedLanes lanes{hn::AndNot(open, open), open};
   auto left = hn::And(open, hn::RebindMask(single, hn::Ne(shown, hn::Set(whole, no_triangle))));
   while (!hn::AllFalse(single, left)) {
     const std::int32_t other = ids[hn::FindKnownFirstTrue(single, left)];
     const auto same = hn::RebindMask(single, hn::Eq(shown, hn::Set(whole, other)));
     left = hn::AndNot(same, left);
-    const TileTies::Order order = ties.order(id, other, {first * step, block_side * step});
+    const TileTies::Order order = ties.order(id, other, places);
     if (order == TileTies::Order::open) continue;
-    if (order == TileTies::Order::before) cells.before = hn::Or(cells.before, hn::And(same, open));
-    cells.open = hn::AndNot(same, cells.open);
+    if (order == TileTies::Order::before) lanes.before = hn::Or(lanes.before, hn::And(same, open));
+    lanes.open = hn::AndNot(same, lanes.open);
   }
-  return cells;
+  return lanes;
+}
+
+/// The places of some pixels. first: of the picture.
+inline Places places_of(ivec2 first, int pixels) {
+  return {first * triangle_coverage::subpixels, pixels * triangle_coverage::subpixels};
 }
 
 /// Blocks of a row, one bit each.

@@ -24,6 +24,14 @@ HWY_INLINE std::uint32_t bits_of(Tag tag, hn::Mask<Tag> mask) {
   return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
+/// The mask that these bits are of.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> mask_of(Tag tag, std::uint32_t bits) {
+  const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits),
+                                          static_cast<std::uint8_t>(bits >> 8)};
+  return hn::LoadMaskBits(tag, bytes.data());
+}
+
 /// Calls visit(x) for each bit x, from the lowest.
 template <class Visit>
 HWY_INLINE void for_each_bit(std::uint32_t bits, const Visit& visit) {

@@ -225,7 +225,7 @@ class Sampling {
     auto seen = hn::And(touched, hn::Not(hn::Lt(more, hn::Sub(old_least, unsure(old_least)))));
     auto nearer = hn::Gt(less, hn::Add(old_most, unsure(old_most)));
     if (const auto open = hn::AndNot(nearer, seen); HWY_UNLIKELY(!hn::AllFalse(single, open))) {
-      const OrderedCells cells = order_cells(ties_, id, open, ids, pixels_.lower + TileBuffer::place(base));
+      const OrderedLanes cells = order_cells(base, i, open, id);
       nearer = hn::Or(nearer, cells.before);
       seen = hn::Or(hn::And(seen, nearer), cells.open);
     }
@@ -247,6 +247,28 @@ class Sampling {
       sample(base + i + k, {sides[0][k], sides[1][k], sides[2][k]}, nearness[k], steps, id);
     });
     return taken;
+  }
+
+  /// Where single precision does not decide: of the cells of a block from the i-th on.
+  HWY_NOINLINE OrderedLanes order_cells(std::size_t base, std::size_t i, hn::Mask<Single> open,
+                                        std::int32_t id) {
+    const Single single;
+    const std::int32_t* const ids = buffer_.whole.data() + base + i;
+    OrderedLanes cells =
+        order_lanes(ties_, id, open, ids, places_of(pixels_.lower + TileBuffer::place(base), block_side));
+    // Of a block that reaches beyond the depths of a triangle's corners, most pixels do not
+    std::uint32_t before = 0, after = 0;
+    for_each_bit(bits_of(single, cells.open), [&](int lane) {
+      const std::size_t cell = i + static_cast<std::size_t>(lane);
+      if (ids[lane] == no_triangle) return;
+      const Places places = places_of(pixels_.lower + TileBuffer::place(base + cell), 1);
+      const TileTies::Order order = ties_.order(id, ids[lane], places);
+      before |= static_cast<std::uint32_t>(order == TileTies::Order::before) << lane;
+      after |= static_cast<std::uint32_t>(order == TileTies::Order::after) << lane;
+    });
+    cells.before = hn::Or(cells.before, mask_of(single, before));
+    cells.open = hn::AndNot(mask_of(single, before | after), cells.open);
+    return cells;
   }
 
   HWY_INLINE PixelSamples& samples_of(std::size_t cell) {
@@ -298,17 +320,26 @@ class Sampling {
   /// Where single precision does not decide. first: the sample of the first lane.
   HWY_NOINLINE void settle(PixelSamples& of, std::size_t cell, std::size_t first, hn::Mask<Single> open,
                            F mine, std::int32_t id) {
+    const Whole whole;
     const Single single;
-    alignas(64) float nearness[most_samples];
-    hn::Store(mine, single, nearness);
-    for_each_bit(bits_of(single, open), [&](int i) {
+    float* const nearness = of.nearness.data() + first;
+    std::int32_t* const ids = of.ids.data() + first;
+    const ivec2 pixel = pixels_.lower + TileBuffer::place(cell);
+    const OrderedLanes samples = order_lanes(ties_, id, open, ids, places_of(pixel, 1));
+    hn::Store(hn::IfThenElse(samples.before, mine, hn::Load(single, nearness)), single, nearness);
+    hn::Store(hn::IfThenElse(hn::RebindMask(whole, samples.before), hn::Set(whole, id), hn::Load(whole, ids)),
+              whole, ids);
+    if (hn::AllFalse(single, samples.open)) return;
+    alignas(64) float own[most_samples];
+    hn::Store(mine, single, own);
+    for_each_bit(bits_of(single, samples.open), [&](int i) {
       const auto lane = static_cast<std::size_t>(i);
-      settle_sample(of, first + lane, place_of(cell, first + lane), nearness[lane], id);
+      settle_sample(of, first + lane, place_of(cell, first + lane), own[lane], id);
     });
   }
 
   void settle_sample(PixelSamples& of, std::size_t s, ivec2 place, float nearness, std::int32_t id) {
-    if (!is_before(frame_, id, of.ids[s], place)) return;
+    if (!ties_.is_before(id, of.ids[s], place)) return;
     of.nearness[s] = nearness;
     of.ids[s] = id;
   }

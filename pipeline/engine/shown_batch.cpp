@@ -20,8 +20,8 @@ namespace gradus::pipeline::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The triangles that the samples of a pixel show: those that stand in `samples`, or the one that covers all.
-/// Returns whether there may be another one than that.
-HWY_INLINE bool winners_of(const Frame& frame, const SampleBuffer& buffer, std::size_t cell, ivec2 pixel,
+/// pixel: of the picture. Returns whether there may be another one than that.
+HWY_INLINE bool winners_of(TileTies& ties, const SampleBuffer& buffer, std::size_t cell, ivec2 pixel,
                            std::span<const ivec2> places, std::int32_t* winners) {
   const Whole whole;
   const Single single;
@@ -33,16 +33,21 @@ HWY_INLINE bool winners_of(const Frame& frame, const SampleBuffer& buffer, std::
   for (std::size_t i = 0; i < most_samples; i += hn::Lanes(whole)) {
     const auto ids = hn::Load(whole, own.ids.data() + i);
     const auto nearness = hn::Load(single, own.nearness.data() + i);
-    const auto mine = hn::Gt(nearness, hn::Set(single, to));
-    hn::Store(hn::IfThenElse(hn::RebindMask(whole, mine), ids, hn::Set(whole, other)), whole, winners + i);
-    const auto open = hn::AndNot(mine, hn::Ge(nearness, hn::Set(single, from)));
-    others |= !hn::AllFalse(single, hn::Or(mine, open));
-    if (other == no_triangle || hn::AllFalse(single, open)) continue;
-    for (std::size_t s = i; s < std::min(i + hn::Lanes(whole), places.size()); ++s) {
-      if (own.ids[s] == no_triangle || own.nearness[s] > to || own.nearness[s] < from) continue;
-      const ivec2 there = pixel * triangle_coverage::subpixels + places[s];
-      winners[s] = is_before(frame, own.ids[s], other, there) ? own.ids[s] : other;
+    auto mine = hn::Gt(nearness, hn::Set(single, to));
+    auto open = hn::AndNot(mine, hn::Ge(nearness, hn::Set(single, from)));
+    if (other != no_triangle && HWY_UNLIKELY(!hn::AllFalse(single, open))) {
+      const OrderedLanes lanes = order_lanes(ties, other, open, own.ids.data() + i, places_of(pixel, 1));
+      mine = hn::Or(mine, hn::AndNot(lanes.before, hn::AndNot(lanes.open, open)));
+      open = lanes.open;
     }
+    hn::Store(hn::IfThenElse(hn::RebindMask(whole, mine), ids, hn::Set(whole, other)), whole, winners + i);
+    others |= !hn::AllFalse(single, hn::Or(mine, open));
+    if (other == no_triangle) continue;
+    for_each_bit(bits_of(single, open), [&](int lane) {
+      const std::size_t s = i + static_cast<std::size_t>(lane);
+      const ivec2 there = pixel * triangle_coverage::subpixels + places[std::min(s, places.size() - 1)];
+      if (own.ids[s] != no_triangle && ties.is_before(own.ids[s], other, there)) winners[s] = own.ids[s];
+    });
   }
   return others;
 }
@@ -166,11 +171,12 @@ class Shown {
 void show_tile(const Frame& frame, const Window& pixels, std::span<const ivec2> places,
                const SampleBuffer& buffer, std::vector<ShownTriangle>& list) {
   Shown shown(frame, pixels.lower, places, list);
+  TileTies ties(frame, pixels.lower);
   alignas(64) std::int32_t winners[most_samples];
   for (const std::int32_t number : buffer.sampled_cells) {
     const auto cell = static_cast<std::size_t>(number);
     const ivec2 pixel = pixels.lower + TileBuffer::place(cell);
-    if (winners_of(frame, buffer, cell, pixel, places, winners))
+    if (winners_of(ties, buffer, cell, pixel, places, winners))
       shown.add(cell, winners);
     else
       list.push_back({cell, buffer.whole[cell], static_cast<std::int32_t>(places.size()), pixel_middle});

@@ -1,6 +1,7 @@
 #include "engine/ties.hpp"
 
 #include <cmath>
+#include <tuple>
 
 #include "engine/tiles.hpp"
 
@@ -26,11 +27,15 @@ bool operator==(const triangle_coverage::DepthPlane& a, const triangle_coverage:
   return a.from == b.from && a.depth == b.depth && a.right == b.right && a.down == b.down;
 }
 
-/// Whether two triangles have the same depth at each place, to the bit, as far as planes tell it.
-bool are_as_deep(const Frame& frame, const FrameTriangle& a, const FrameTriangle& b) {
+/// The plane of two triangles that have their depths from the same one, to the bit.
+PlaneDepth plane_of_both(const Frame& frame, const FrameTriangle& a, const FrameTriangle& b) {
   const PlaneDepth one = frame.plane_of(a), two = frame.plane_of(b);
-  if (!one && !two) return corners_of(a) == corners_of(b);
-  return one && two && (a.plane == b.plane || *one == *two);
+  return one && two && (a.plane == b.plane || *one == *two) ? one : PlaneDepth{};
+}
+
+/// Whether two triangles without shared planes have the same depth at each place, to the bit.
+bool have_same_corners(const FrameTriangle& a, const FrameTriangle& b) {
+  return a.plane == no_plane && b.plane == no_plane && corners_of(a) == corners_of(b);
 }
 
 TileDepth depth_by_plane(const FrameTriangle& t, const PlaneDepth& plane, ivec2 origin) {
@@ -72,23 +77,41 @@ TileDepth depth_over_tile(const Frame& frame, std::int32_t id, ivec2 origin) {
   const PlaneDepth plane = frame.plane_of(t);
   TileDepth over = plane ? depth_by_plane(t, plane, origin) : depth_by_corners(t, origin);
   over.id = id;
+  over.exact = {frame, t};
   return over;
 }
 
 }  // namespace
 
-const TileDepth& TileTies::known(std::int32_t id) {
-  TileDepth& known = known_[static_cast<std::size_t>(id) % known_.size()];
-  if (known.id != id) known = depth_over_tile(frame_, id, origin_);
-  return known;
+void TileTies::learn(std::int32_t id, Known& all) const {
+  all.resize(most_known);
+  all[static_cast<std::size_t>(id) % most_known] = depth_over_tile(frame_, id, origin_);
 }
 
-void TileTies::set(std::int32_t id, std::int32_t other) {
-  one_ = known(id);
-  two_ = known(other);
+void TileTies::set_pair(std::int32_t id, std::int32_t other) {
   const FrameTriangle &one = frame_.triangle(id), &two = frame_.triangle(other);
-  is_as_deep_ = are_as_deep(frame_, one, two);
-  is_first_ = std::tuple(piece_of(frame_, one, id), id) < std::tuple(piece_of(frame_, two, other), other);
+  id_ = id;
+  other_ = other;
+  plane_ = plane_of_both(frame_, one, two);
+  one_kept_ = kept_depths(one.depth);
+  two_kept_ = kept_depths(two.depth);
+  are_alike_ = have_same_corners(one, two);
+  const bool is_first =
+      std::tuple(piece_of(frame_, one, id), id) < std::tuple(piece_of(frame_, two, other), other);
+  by_faces_ = is_first ? Order::before : Order::after;
+  by_faces_within_ =
+      is_first ? not_deeper_within(one_kept_, two_kept_) : not_deeper_within(two_kept_, one_kept_);
+}
+
+TileTies::Order TileTies::order_by_planes(const TileDepth& one, const TileDepth& two,
+                                          const Places& places) const {
+  if (!one.is_plane_at(places) || !two.is_plane_at(places)) return Order::open;
+  const dvec2 from = dvec2(places.first - origin_);
+  const double right = two.right - one.right, down = two.down - one.down,
+               deeper = two.at - one.at + right * from.x + down * from.y, off = one.off + two.off,
+               least = deeper + (std::min(right, 0.0) + std::min(down, 0.0)) * places.side,
+               most = deeper + (std::max(right, 0.0) + std::max(down, 0.0)) * places.side;
+  return least > off ? Order::before : most < -off ? Order::after : Order::open;
 }
 
 }  // namespace gradus::pipeline::engine

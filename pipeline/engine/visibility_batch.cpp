@@ -101,7 +101,8 @@ class Visibility {
     alignas(64) float nearness[block_cells];
     hn::Store(mine, single, nearness);
     const ivec2 block = pixels_.lower + TileBuffer::place(first / block_cells * block_cells);
-    const OrderedCells cells = order_cells(ties_, id, open, buffer_.ids.data() + first, block);
+    const OrderedLanes cells =
+        order_lanes(ties_, id, open, buffer_.ids.data() + first, places_of(block, block_side));
     for_each_bit(bits_of(single, cells.before), [&](int i) {
       const auto lane = static_cast<std::size_t>(i);
       show(first + lane, nearness[lane], id);
@@ -114,7 +115,7 @@ class Visibility {
 
   void settle_pixel(std::size_t cell, float nearness, std::int32_t id) {
     const ivec2 centre = triangle_coverage::centre_of(pixels_.lower + TileBuffer::place(cell));
-    if (is_before(frame_, id, buffer_.ids[cell], centre)) show(cell, nearness, id);
+    if (ties_.is_before(id, buffer_.ids[cell], centre)) show(cell, nearness, id);
   }
 
   void show(std::size_t cell, float nearness, std::int32_t id) {

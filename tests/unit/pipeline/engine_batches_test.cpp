@@ -10,6 +10,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
+#include <tuple>
 #include <vector>
 
 #include "antialiasing/adaptive/pixel_survey.hpp"
@@ -274,14 +276,16 @@ TEST(EngineBatches, FindWhatIsNearestAmongTrianglesOfAllSizes) {
 
 /// The nearest triangle at a place of the picture, one after the other.
 std::int32_t nearest_at(const Frame& frame, const std::vector<std::int32_t>& ids, ivec2 place) {
-  std::optional<ExactDepth> best;
+  std::optional<std::tuple<double, PieceId, std::int32_t>> best;
   for (const std::int32_t id : ids) {
-    const auto edges = triangle_coverage::edges_of(frame.triangle(id).grid);
-    if (!holds(edges, weights_at_place(edges, place))) continue;
-    const ExactDepth mine = exact_depth(frame, id, place);
+    const FrameTriangle& t = frame.triangle(id);
+    const auto edges = triangle_coverage::edges_of(t.grid);
+    const auto weights = weights_at_place(edges, place);
+    if (!holds(edges, weights)) continue;
+    const std::tuple mine(depth_of(frame, t).at(place, weights), piece_of(frame, t, id), id);
     if (!best || mine < *best) best = mine;
   }
-  return best ? best->id : no_triangle;
+  return best ? std::get<2>(*best) : no_triangle;
 }
 
 /// How many samples of a pixel show each triangle.
