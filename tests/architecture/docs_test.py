@@ -12,12 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import formulas
 import house
 import project
-
-SKIPPED = {".git", "build", "out"}
-
-
-def pages(root):
-    return sorted(f for f in root.rglob("*.md") if not SKIPPED & set(f.relative_to(root).parts))
+from sentences import pages, written_so
 
 
 def without_code(text):
@@ -86,6 +81,30 @@ class Docs(unittest.TestCase):
             self.assertEqual(broken_links(root), [])
             (root / "b.md").write_text("[a](a.md#another) [c](c.md)\n", encoding="utf-8")
             self.assertEqual(len(broken_links(root)), 2)
+
+    def test_one_sentence_a_line(self):
+        found = []
+        for page in pages(project.ROOT):
+            text = page.read_text(encoding="utf-8")
+            is_so, so = text.split("\n"), written_so(text).split("\n")
+            found += [f"{page.relative_to(project.ROOT)}:{number}: {line!r}; better: {better!r}"
+                      for number, (line, better) in list(enumerate(zip(is_so, so), 1)) if line != better][:1]
+        self.assertEqual(found, [], "python3 tests/support/sentences.py writes them so\n" + "\n".join(found))
+
+    def test_where_sentences_end(self):
+        whole = ("It is 2.5 px, e.g. Here, or cf. Fig. 3 of it.", "Of J. E. Bresenham, A. van Dam, in Comm. ACM 18 (6), 1975, pp. 3-4.",
+                 "See `a. B` and [it](a. B) and $`a. B`$.", "**A heading.** It goes on.", "What is 1, 2, ... and so on?",
+                 "- a list", "    1. a list in a list", "> a quote.", "| a. B | c |", "## A. B", "```\na. B\nc\n```", "<p>a. B</p>")
+        for text in whole:
+            self.assertEqual(written_so(text), text)
+        for text, better in (("One. Two.", "One.\nTwo."), ("One\ntwo.", "One two."), ("Say no? Yes! So it is", "Say no?\nYes!\nSo it is"),
+                             ("- One. Two\n  three.\n- Four", "- One.\n  Two three.\n- Four"), ("> One. Two.", "> One.\n> Two."),
+                             ("1. One. `Two` is code.\n\nThree", "1. One.\n   `Two` is code.\n\nThree"),
+                             ("(One.) \"Two.\" 3 is odd. glTF is a format.", "(One.)\n\"Two.\"\n3 is odd.\nglTF is a format."),
+                             ("Press Ctrl-C. It ends. p is odd.", "Press Ctrl-C.\nIt ends.\np is odd."),
+                             ("**A.** B. C.", "**A.** B.\nC."), ("No. In it", "No.\nIn it")):
+            self.assertEqual(written_so(text), better)
+            self.assertEqual(written_so(better), better)
 
     def test_every_formula_of_a_page_has_its_mathml(self):
         self.assertEqual(sorted(formulas.kept()), formulas.formulas(), "tests/support/formulas.py makes them anew")

@@ -21,7 +21,7 @@ from share import in_share
 HEADINGS = ["Symbols", "By hand", "Derivation", "Edge cases", "Common mistakes", "Accuracy and cost", "Methods compared",
             "Charts", "Try it", "Check yourself", "Sources"]
 WITH_PICTURE = ("By hand", "Common mistakes", "Charts")
-MOST_LINES = 140
+MOST_WORDS = 1750
 QUESTIONS = 5
 VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 
@@ -65,9 +65,9 @@ def form_violations(text, names):
     idea = re.match(r"\s*\*\*Idea\.\*\* (.+?)\n\n", parts[""], re.DOTALL)
     if not idea or len(re.findall(r"[.!?](?:\s|$)", idea.group(1))) != 1:
         found.append("the idea is not one sentence: **Idea.** …")
-    lines = text.count("\n")
-    if lines > MOST_LINES:
-        found.append(f"{lines} lines, at most {MOST_LINES}")
+    words = len(text.split())
+    if words > MOST_WORDS:
+        found.append(f"{words} words, at most {MOST_WORDS}")
     for heading in WITH_PICTURE:
         if not pictures(parts.get(heading, "")):
             found.append(f"no picture under {heading}")
@@ -277,7 +277,7 @@ class Planted(unittest.TestCase):
 
     def test_faults_of_form(self):
         for words, old, new in (("headings", "## By hand", "## By heart"), ("headings", "## Sources", "### Sources"),
-                                ("one sentence", "Draw it.", "Draw it. Well."), ("lines", "Text.", "Text.\n" * 140),
+                                ("one sentence", "Draw it.", "Draw it. Well."), ("words", "Text.", "Text.\n" * MOST_WORDS),
                                 ("no picture under Common", "![Wrong](figures/b.svg)", ""),
                                 ("no picture under Charts", "![Time]", "[Time]"),
                                 ("neither in the source", "`p`", "`q`"), ("no name", "`p`", "p"),

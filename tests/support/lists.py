@@ -5,11 +5,9 @@ architecture/topics holds each list to what this would write.
 """
 import re
 import sys
-import textwrap
 
 import project
 
-WIDTH = 130
 FAMILIES = {"visibility": "hidden surfaces", "antialiasing": "aliasing and antialiasing"}  # those not called by their folder
 
 
@@ -30,11 +28,8 @@ def links(called, folder, anchor="", indent=""):
         families.setdefault(path.split("/")[0], []).append(f"[{title}]({folder}{path}.md{anchor})")
     lines = []
     for family, its in families.items():
-        text = f"{indent}- {FAMILIES.get(family, family.replace('_', ' '))}: {', '.join(its)}"
-        # Links are not broken in their middle
-        text = text.replace(" ", "\0").replace(",\0[", ", [").replace(":\0[", ": [", 1)
-        lines += textwrap.wrap(text, WIDTH, subsequent_indent=indent + "  ", break_long_words=False, break_on_hyphens=False)
-    return "\n".join(lines).replace("\0", " ")
+        lines.append(f"{indent}- {FAMILIES.get(family, family.replace('_', ' '))}: {', '.join(its)}")
+    return "\n".join(lines)
 
 
 def promises():
