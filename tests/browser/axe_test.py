@@ -43,8 +43,8 @@ THIN = '''const kinds = new Set();
 
 DIALOGS = 'return [...document.querySelectorAll("dialog")].map((d) => d.dataset.part || d.id)'
 OPEN = '''const dialog = document.querySelectorAll("dialog")[arguments[0]];
-          const name = dialog.dataset.part;
-          const button = document.querySelector(`[data-do="${name}"]`);
+          const player = dialog.closest(".gradus") || document;  // of two runs beside each other each has its own
+          const button = player.querySelector(`[data-do="${dialog.dataset.part}"]`);
           if (button) button.click(); else dialog.showModal();
           return dialog.open'''
 CLOSE = 'document.querySelectorAll("dialog")[arguments[0]].close()'
