@@ -85,8 +85,23 @@ function(gradus_add_topic path)
 
   file(GLOB story CONFIGURE_DEPENDS visualize/stories/${path}_story.cpp)
   if(story)
-    set_property(GLOBAL APPEND PROPERTY gradus_story_topics ${topic})
+    gradus_register_story(${path})
   endif()
+endfunction()
+
+# The story of F/T belongs to the catalogue, unless this build leaves it out by GRADUS_STORIES_THIRDS. That of bresenham_line
+# always does: tests show by it what holds for any.
+set_property(GLOBAL PROPERTY gradus_next_story_third 0)
+function(gradus_register_story path)
+  get_filename_component(topic ${path} NAME)
+  get_property(third GLOBAL PROPERTY gradus_next_story_third)
+  if(third IN_LIST GRADUS_STORIES_THIRDS OR topic STREQUAL "bresenham_line")
+    set_property(GLOBAL APPEND PROPERTY gradus_story_topics ${topic})
+  else()
+    set_property(GLOBAL APPEND PROPERTY gradus_left_out_stories visualize/stories/${path}_story.cpp)
+  endif()
+  math(EXPR third "(${third} + 1) % 3")
+  set_property(GLOBAL PROPERTY gradus_next_story_third ${third})
 endfunction()
 
 # gradus_add_story(C/N): a topic of the visualizer alone, with no folder of its own in algorithms/: the story
@@ -96,5 +111,5 @@ function(gradus_add_story path)
   if(NOT EXISTS ${PROJECT_SOURCE_DIR}/visualize/stories/${path}_story.cpp)
     message(FATAL_ERROR "gradus_add_story(${path}): there is no visualize/stories/${path}_story.cpp")
   endif()
-  set_property(GLOBAL APPEND PROPERTY gradus_story_topics ${topic})
+  gradus_register_story(${path})
 endfunction()

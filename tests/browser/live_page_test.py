@@ -25,7 +25,10 @@ from firefox import Firefox
 from live_page import (CELL, GIVEN, MEASURES, Page, accessible, copies_the_command, every_topic, from_a_server, sizes, speed, texts,
                        without_webassembly)
 from player_page import FITS, Checks
+from share import share_of
 from webdriver import EVERYTHING, Browser
+
+BROWSERS = ('chromium', 'firefox')
 
 
 # -- What is done in every browser
@@ -446,7 +449,8 @@ def main():
     parser.add_argument('--axe', type=pathlib.Path, default=os.environ.get('GRADUS_AXE'))
     parser.add_argument('--only', nargs='*', default=[])
     parser.add_argument('--parts', choices=['every_browser', 'chromium_alone'], help='default: both')
-    parser.add_argument('--browsers', nargs='*', default=['chromium', 'firefox'])
+    parser.add_argument('--browsers', nargs='*', choices=BROWSERS, default=share_of(BROWSERS, 2),
+                        help='default: one of them, another one with each commit')
     parser.add_argument('pages')
     options = parser.parse_args()
     built = project.live_build()
@@ -464,13 +468,16 @@ def main():
         url = (folder / 'gradus.html').as_uri()
         sizes(check, folder)
         texts(check)
-        if 'chromium' in options.browsers:
-            with Browser() as browser:
-                print('Chromium', flush=True)
-                if options.parts != 'chromium_alone':
+        if options.parts != 'chromium_alone':
+            for name in options.browsers:
+                print(name, flush=True)
+                with Browser() if name == 'chromium' else Firefox() as browser:
                     in_browser(check, browser, url, folder, only)
+        if options.parts != 'every_browser':
+            with Browser() as browser:
+                print('Chromium alone', flush=True)
                 page = Page(browser, url, check)
-                for part, run in () if options.parts == 'every_browser' else (('addresses', lambda: reads_any_address(check, page)), ('parts', lambda: shows_long_runs_in_parts(check, page)),
+                for part, run in (('addresses', lambda: reads_any_address(check, page)), ('parts', lambda: shows_long_runs_in_parts(check, page)),
                                   ('topics', lambda: every_topic(check, page)), ('command', lambda: copies_the_command(check, page, folder)),
                                   ('axe', lambda: accessible(check, page, options.axe.read_text(encoding='utf-8'))),
                                   ('server', lambda: from_a_server(check, browser, folder)), ('speed', lambda: speed(check, page))):
@@ -478,12 +485,8 @@ def main():
                         start = time.monotonic()
                         run()
                         print(f'  {part}: {time.monotonic() - start:.1f} s', flush=True)
-            if (not only and options.parts != 'every_browser') or 'without' in only:
+            if not only or 'without' in only:
                 without_webassembly(check, url)
-        if 'firefox' in options.browsers and options.parts != 'chromium_alone':
-            with Firefox() as browser:
-                print('Firefox', flush=True)
-                in_browser(check, browser, url, folder, only)
     print(f'{check.passed} passed, {len(check.failed)} failed')
     return 1 if check.failed else 0
 

@@ -13,7 +13,6 @@
 #include "figure/layout/layout.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
-#include "support/share.hpp"
 
 namespace gradus {
 namespace {
@@ -198,25 +197,26 @@ void is_laid_out(const Trace& trace) {
     EXPECT_FALSE(lay_out(figure_of(trace, playhead, step), Look{}).shapes.empty()) << trace.topic;
 }
 
-// A line a run: its hash in English, in German, and what it is. Under a sanitizer half of them, in English
-// alone.
+// A line a run: its hash in English, in German, and what it is. A build with sanitizers may have a part of
+// the topics; it compares the English ones.
 TEST(TraceHash, IsTheCommittedOneOnThisCompiler) {
   const std::string path = std::string(GRADUS_SOURCE_DIR) + "/tests/golden/trace_hashes.txt";
   const bool update = !test::sanitized && std::getenv("GRADUS_UPDATE_GOLDEN");
   const std::vector<std::string> golden = golden_lines(path);
+  std::set<std::string> in_english;
+  for (const std::string& line : golden) in_english.insert(line.substr(0, 17) + line.substr(34));
   const Wording german(*find_language("de"));
   const auto runs = test::telling_runs();
   EXPECT_GT(runs.size(), 20u);
-  if (!update) ASSERT_EQ(runs.size(), golden.size());
+  if (!update && !test::sanitized) ASSERT_EQ(runs.size(), golden.size());
   std::string hashes;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (test::sanitized && !test::in_share(i, 2)) continue;
     const Trace trace = runs[i].trace();
     const std::uint64_t english = fnv1a(whole_text(trace));
     const std::string name = fmt::format("{} {}, {}", trace.topic, trace.method, trace.subtitle);
     if (test::sanitized) {
       is_laid_out(trace);
-      EXPECT_EQ(fmt::format("{:016x} {}", english, name), golden[i].substr(0, 17) + golden[i].substr(34));
+      EXPECT_TRUE(in_english.contains(fmt::format("{:016x} {}", english, name))) << name;
       continue;
     }
     const std::string line =

@@ -18,7 +18,7 @@
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::engine_property_test {
 namespace {
 
 /// How many pixels of two pictures differ in a bit.
@@ -207,4 +207,4 @@ TEST(Engine, HasEveryBitOfEachAntialiasingMethod) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::engine_property_test

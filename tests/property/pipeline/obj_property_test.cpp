@@ -16,7 +16,7 @@
 #include "support/seed.hpp"
 #include "support/stress.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::obj_property_test {
 namespace {
 
 std::string contents(const std::string& name) {
@@ -126,4 +126,4 @@ TEST(ObjProperty, SpoiltFilesAreReadSoundlyOrRefusedByName) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::obj_property_test

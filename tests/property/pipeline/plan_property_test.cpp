@@ -14,7 +14,7 @@
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
 
-namespace gradus::pipeline {
+namespace gradus::pipeline::plan_property_test {
 namespace {
 
 bool same_light(const PixelLight& a, const PixelLight& b) { return a.sum == b.sum && a.share == b.share; }
@@ -173,4 +173,4 @@ TEST(Plan, LightWithoutAHighlightIsPhongs) {
 }
 
 }  // namespace
-}  // namespace gradus::pipeline
+}  // namespace gradus::pipeline::plan_property_test
