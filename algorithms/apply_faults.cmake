@@ -1,7 +1,7 @@
 # Makes the header of a topic's faults, each written as what it changes in a taught function; run by gradus_add_topic.
 #   cmake -D FAULTS=T.faults -D ROOT=algorithms -D OUTPUT=T_notes.hpp -D DEPENDENCIES=T_notes.d -P apply_faults.cmake
 #
-# A file of faults is a head, which is C++ and stands in the header as it is, and one entry a fault:
+# A file of faults is a head, which is C++ and stands in the header as it is, and one entry per fault:
 #
 #   [first_come] of per_polygon            its name, and the function that it spoils: of a header that the head includes
 #   FAULTY: of equal depths …              what is wrong, the first paragraph of its contract

@@ -34,13 +34,13 @@ concept ChainObserver = Observer<O, VertexRead, FaceRead, Placed, Turned, Projec
 /// Steps: those of the stages, one after the other; those of stage 6 and of its z-buffer alternate: stage 1,
 ///   2, 3, 4, 5, (Snapped (Covered DepthTested)*)*, Shaded*, Written*.
 /// Accuracy: coverage is exact for corners snapped to 1/256 pixel. The same bytes on every machine.
-/// Cost: memory of about 100 bytes a pixel and 1000 bytes a triangle.
+/// Cost: memory of about 100 bytes per pixel and 1000 bytes per triangle.
 /// Errors: ContractViolation for a size or a lens out of range.
 template <ChainObserver O = Unobserved>
 Image render(const Scene& scene, Size size, O&& observer = {}) {
   const auto [width, height] = size;
   expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
-          "a picture has 1 to {} pixels a side, not {} x {}", largest_side, width, height);
+          "a picture has 1 to {} pixels per side, not {} x {}", largest_side, width, height);
   const double ratio = static_cast<double>(width) / height;
   const auto& eye = scene.camera;
 
@@ -79,7 +79,7 @@ Image render(const Scene& scene, Size size, O&& observer = {}) {
 inline LightPicture antialiased(const Scene& scene, Size size) {
   const auto [width, height] = size;
   expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
-          "a picture has 1 to {} pixels a side, not {} x {}", largest_side, width, height);
+          "a picture has 1 to {} pixels per side, not {} x {}", largest_side, width, height);
   const double aspect = static_cast<double>(width) / height;
   // 1 to 5 as without
   const auto world = to_world(scene, input(scene));
@@ -87,7 +87,7 @@ inline LightPicture antialiased(const Scene& scene, Size size) {
   const auto facing = cull(scene, seen);
   Triangles triangles = clip(world, facing, size);
   arrange(scene, facing, size, triangles);
-  // 6 and 7, of several places a pixel
+  // 6 and 7, of several places per pixel
   return antialias(scene, triangles, size);
 }
 

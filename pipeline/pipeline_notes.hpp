@@ -26,7 +26,7 @@ Image render_with(Fault fault, const Scene& scene, Size size, O&& observer = {})
   if (fault == Fault::none) return render(scene, size, observer);
   const auto [width, height] = size;
   expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
-          "a picture has 1 to {} pixels a side, not {} x {}", largest_side, width, height);
+          "a picture has 1 to {} pixels per side, not {} x {}", largest_side, width, height);
   const auto model = input(scene, observer);
   const auto world = to_world(scene, model, observer);
   const auto seen = to_clip(scene.camera, static_cast<double>(width) / height, world, observer);

@@ -110,7 +110,7 @@ T length_of(glm::vec<2, T> v) {
 }
 
 /// The vector of length 1 that points the way of v; the zero vector for the zero vector.
-/// Domain: as length_of. Accuracy: 4 ulp a component.
+/// Domain: as length_of. Accuracy: 4 ulp per component.
 template <std::floating_point T>
 glm::vec<3, T> unit_vector(glm::vec<3, T> v) {
   const glm::vec<3, T> scaled = Scaled<T>(v).vector;

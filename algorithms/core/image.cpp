@@ -280,7 +280,7 @@ class PngWriter {
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
     png_write_info(png_, info_);
-    if (opaque) png_set_filler(png_, 0, PNG_FILLER_AFTER);  // rows have four bytes a pixel, the file three
+    if (opaque) png_set_filler(png_, 0, PNG_FILLER_AFTER);  // rows have four bytes per pixel, the file three
   }
 
   std::vector<std::uint8_t> bytes_;

@@ -128,7 +128,7 @@ void add_missing_normals(Mesh& mesh, std::span<const int> smoothing) {
   if (std::ranges::none_of(mesh.corners, missing)) return;
 
   VertexNormals normals(mesh, smoothing);
-  std::vector<int> shared(smoothing.empty() ? mesh.positions.size() : 0, -1);  // one normal a position
+  std::vector<int> shared(smoothing.empty() ? mesh.positions.size() : 0, -1);  // one normal per position
   for (std::size_t id = 0; id < mesh.faces.size(); ++id) {
     const MeshFace& face = mesh.faces[id];
     for (std::int64_t i = face.first; i < face.first + face.count; ++i) {

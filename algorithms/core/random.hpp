@@ -44,8 +44,8 @@ constexpr PhiloxBlock philox4x32(PhiloxBlock counter, PhiloxKey key) {
 ///
 /// Source: Philox4x32-10 (see philox4x32); key = seed, counter = (index, stream). Satisfies the standard's
 /// UniformRandomBitGenerator, but only the members below give the same numbers on every library.
-/// Domain: any seed and stream; 2^64 numbers a stream, then it repeats. Not for secrets.
-/// Cost: about 10 to 20 ns a number.
+/// Domain: any seed and stream; 2^64 numbers per stream, then it repeats. Not for secrets.
+/// Cost: about 10 to 20 ns per number.
 class Random {
  public:
   using result_type = std::uint64_t;
@@ -99,7 +99,7 @@ class Random {
   }
 
   /// Puts the items into a random order, each order equally likely (Fisher and Yates 1938; Durstenfeld 1964).
-  /// Domain: a range with size() and []. Cost: one uniform_int an item.
+  /// Domain: a range with size() and []. Cost: one uniform_int per item.
   template <class Range>
   constexpr void shuffle(Range&& items) {
     for (std::size_t last = items.size(); last > 1; --last) {

@@ -13,7 +13,7 @@ namespace gradus {
 ///
 /// Domain: keeps at most `cap` steps and counts the rest, so that a run of any length is safe to record;
 /// `complete()` says whether any were dropped.
-/// Cost: O(1) a step; the memory of `cap` variants at most.
+/// Cost: O(1) per step; the memory of `cap` variants at most.
 template <class... Steps>
 class Recorder {
  public:

@@ -1,5 +1,5 @@
-// A disc with one and with 4 x 4 samples a pixel, as text; a pixel's samples as the walk reports them; a step
-// as a figure.
+// A disc with one and with 4 x 4 samples per pixel, as text; a pixel's samples as the walk reports them; a
+// step as a figure.
 // Writes supersampling.svg into the current folder.
 
 #include "antialiasing/supersampling/supersampling.hpp"

@@ -44,8 +44,8 @@ struct Buffers {
 ///
 /// Domain: coordinates are finite.
 /// Accuracy: the pieces of `input`, in its order.
-/// Cost: ear clipping for faces of more than 3 corners, and shared_planes; memory of 60 bytes a piece of a
-/// mesh, 16 bytes a texel. Errors: ContractViolation for coordinates that are not finite, in faces of more
+/// Cost: ear clipping for faces of more than 3 corners, and shared_planes; memory of 60 bytes per piece of a
+/// mesh, 16 bytes per texel. Errors: ContractViolation for coordinates that are not finite, in faces of more
 /// than 3 corners.
 Buffers buffers_of(const Scene& scene);
 

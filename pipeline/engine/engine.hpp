@@ -41,9 +41,9 @@ struct EngineWatch {
 ///
 /// Domain: draws(scene), else refused; that of `antialiased`.
 /// Accuracy: the bits of `antialiased`, for any number of threads.
-/// Cost: stages 2 to 5 once a vertex and a piece, 6 and 7 by tile, shading as `antialias` has it. Memory: 88
-///   bytes a vertex, 80 a triangle that is drawn, 32 a pixel; with antialiasing 400 more for each triangle of
-///   the tiles that are being drawn, and what the method takes for their pixels.
+/// Cost: stages 2 to 5 once per vertex and piece, 6 and 7 by tile, shading as `antialias` has it. Memory: 88
+///   bytes per vertex, 80 per triangle that is drawn, 32 per pixel; with antialiasing 400 more for each
+///   triangle of the tiles that are being drawn, and what the method takes for their pixels.
 /// Errors: ContractViolation outside the domain.
 LightPicture light_of(const Scene& scene, const Buffers& buffers, const Plan& plan, int threads = 0,
                       const EngineWatch& watch = {});
@@ -77,7 +77,7 @@ class Workspace {
 /// Accuracy: every pixel shows the triangle that the textbook chain shows there. Its colour is that of
 ///   `render_antialiased`; in single precision it may be one step of 255 off, at the edge of a spot's cone,
 ///   too. The same bytes on every machine and for any number of threads.
-/// Cost: some nanoseconds a vertex, a triangle and a pixel: docs/engine.md.
+/// Cost: some nanoseconds per vertex, triangle and pixel: docs/engine.md.
 Picture picture_of(const Scene& scene, const Buffers& buffers, const Plan& plan, Workspace& workspace,
                    int threads = 0, const EngineWatch& watch = {});
 /// The same into a picture that is there: where its size is the one asked for, in its own memory, so that the

@@ -44,7 +44,7 @@ struct Batch {
   PieceCount count;               ///< of all pieces, but for those that were clipped away
   std::int64_t clipped = 0;       ///< pieces with corners on both sides of a plane
   std::int64_t clipped_away = 0;  ///< of those the ones of which nothing was left
-  std::int64_t more = 0;          ///< triangles beyond one a piece that clipping has made
+  std::int64_t more = 0;          ///< triangles beyond one per piece that clipping has made
   std::vector<FrameTriangle> triangles;
   std::vector<Triangle> cut;  ///< what clipping left of pieces that reach beyond a plane
   /// The triangles that may touch a tile: places in `triangles` from first[tile] up to first[tile + 1].
@@ -112,7 +112,7 @@ inline triangle_coverage::Depth depth_of(const Frame& frame, const FrameTriangle
 ///
 /// Domain, Errors: those of the stages.
 /// Accuracy: the triangles of `clip` that stage 6 draws, to the bit.
-/// Cost: memory of 16 bytes a vertex, 64 a triangle that touches a pixel, 360 more for one that was cut.
+/// Cost: memory of 16 bytes per vertex, 64 per triangle that touches a pixel, 360 more for one that was cut.
 void make_frame(const Scene& scene, const Buffers& buffers, const Plan& plan, Touch touch, Frame& frame);
 
 /// The triangle that a frame's triangle is, with all that shading asks for: one of those that `clip` gives.

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gradus::pipeline::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One bit a lane, that of the first the lowest. Domain: up to 16 lanes.
+/// One bit per lane, that of the first the lowest. Domain: up to 16 lanes.
 template <class Tag>
 HWY_INLINE std::uint32_t bits_of(Tag tag, hn::Mask<Tag> mask) {
   std::array<std::uint8_t, 8> bytes{};

@@ -11,7 +11,7 @@ namespace gradus::pipeline::engine {
 ///
 /// Domain: that of build_mip_chain.
 /// Accuracy: the bits of LinearTexture's own.
-/// Cost: some 3 nanoseconds a texel of the picture; 16 bytes each.
+/// Cost: some 3 nanoseconds per texel of the picture; 16 bytes each.
 /// Errors: those of build_mip_chain.
 LinearTexture linear_texture(const Image& texels);
 

@@ -13,7 +13,7 @@
 
 namespace gradus::pipeline::engine {
 
-/// Samples a pixel, at most.
+/// Samples per pixel, at most.
 inline constexpr std::size_t most_samples = 16;
 
 /// The middle of a pixel, in 1/256 pixel.
@@ -56,8 +56,8 @@ struct alignas(64) SampleBuffer {
 ///
 /// Domain: that of make_frame.
 /// Accuracy: coverage exact; see find_shown.
-/// Cost: some 100 nanoseconds a triangle and tile, 10 a block of its box, and 20 a pixel that it neither
-///   covers nor leaves out whole; memory of 128 bytes for such a pixel.
+/// Cost: some 100 nanoseconds per triangle and tile, 10 per block of its box, and 20 per pixel that it
+///   neither covers nor leaves out whole; memory of 128 bytes for such a pixel.
 /// Errors: none.
 void find_samples(const Frame& frame, int tile, const Window& pixels, std::span<const ivec2> places,
                   SampleBuffer& buffer);

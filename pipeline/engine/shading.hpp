@@ -30,7 +30,7 @@ struct Lamp {
 
 /// A texture and where its levels begin.
 struct TextureLevels {
-  const float* texels = nullptr;  ///< three a texel, and one after the last
+  const float* texels = nullptr;  ///< three per texel, and one after the last
   std::int32_t levels = 0;
   bool powers_of_two = false;  ///< columns and rows
   std::array<std::int32_t, 16> begin{}, columns{}, rows{};

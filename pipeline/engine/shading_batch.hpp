@@ -41,7 +41,7 @@ struct LitCells {
 ///
 /// Returns whether some are in doubt.
 /// Accuracy: the nearest byte or one beside it where single precision suits; the same on every machine.
-/// Cost: 4 nanoseconds a pixel and lamp with 16 lanes, of which a block has 16.
+/// Cost: 4 nanoseconds per pixel and lamp with 16 lanes, of which a block has 16.
 bool light_blocks(const LitCells& lit, std::span<const ShownBlock> blocks, const TileBuffer& buffer,
                   std::uint32_t* colours);
 

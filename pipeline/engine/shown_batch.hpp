@@ -20,7 +20,7 @@ struct ShownTriangle {
 /// Adds, for each pixel whose samples were looked at, the triangles that they show: at each sample, of those
 /// that cover it, the least by depth in the textbook's arithmetic, of equals the first.
 /// pixels, places, buffer: those of find_samples; places from the one nearest to the pixel's centre on. Cost:
-/// 20 nanoseconds a pixel.
+/// 20 nanoseconds per pixel.
 void find_shown(const Frame& frame, const Window& pixels, std::span<const ivec2> places,
                 const SampleBuffer& buffer, std::vector<ShownTriangle>& shown);
 

@@ -7,7 +7,7 @@
 
 namespace gradus::pipeline::engine {
 
-/// The surface of one triangle after the other. One a thread: it keeps what stage 7 keeps.
+/// The surface of one triangle after the other. One per thread: it keeps what stage 7 keeps.
 class Surfaces {
  public:
   Surfaces(const Scene& scene, const Buffers& buffers, const Plan& plan, const Frame& frame)

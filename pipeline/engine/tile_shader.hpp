@@ -17,7 +17,7 @@
 
 namespace gradus::pipeline::engine {
 
-/// Colours one tile after the other. One a thread: it keeps its memory.
+/// Colours one tile after the other. One per thread: it keeps its memory.
 class TileShader {
  public:
   explicit TileShader(const FrameShading& shading);

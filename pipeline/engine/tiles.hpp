@@ -56,7 +56,7 @@ class TileGrid {
 };
 
 /// Sorts the triangles of every batch by the tiles that their boxes meet. Runs on the threads of the arena
-/// that it is called in. Cost: 4 bytes a triangle and tile, 4 bytes a batch and tile.
+/// that it is called in. Cost: 4 bytes per triangle and tile, 4 bytes per batch and tile.
 void bin(Frame& frame, const TileGrid& grid, Touch touch);
 
 /// Whether no triangle may touch a tile.

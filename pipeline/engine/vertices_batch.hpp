@@ -31,7 +31,7 @@ inline constexpr std::int32_t beyond = std::numeric_limits<std::int32_t>::min();
 /// Domain: those of the stages; grid and depths as long as positions.
 /// Accuracy: the bits of affine_3d::transform, to_view, transform, divide, to_pixel and snap, on every
 ///   machine.
-/// Cost: 9 nanoseconds a vertex without SIMD, 2 with eight lanes; 40 bytes of memory traffic.
+/// Cost: 9 nanoseconds per vertex without SIMD, 2 with eight lanes; 40 bytes of memory traffic.
 /// Errors: none.
 void place_vertices(const VertexPath& path, const glm::dmat4& placement, std::span<const dvec3> positions,
                     std::span<ivec2> grid, std::span<double> depths);

@@ -54,9 +54,9 @@ inline void close_beyond(const Window& pixels, std::array<float, TileBuffer::cel
 /// Domain: that of make_frame.
 /// Accuracy: coverage exact; the winner is that of z_buffer::keep_nearest with depths by
 ///   triangle_coverage::Depth, on every machine.
-/// Cost: some 50 nanoseconds a triangle and tile, and 3 a block of its box, some 30 where surfaces are
+/// Cost: some 50 nanoseconds per triangle and tile, and 3 per block of its box, some 30 where surfaces are
 /// equally
-///   deep in it; 0.1 microseconds a pixel where they differ by rounding alone.
+///   deep in it; 0.1 microseconds per pixel where they differ by rounding alone.
 /// Errors: none.
 void find_nearest(const Frame& frame, int tile, const Window& pixels, TileBuffer& buffer);
 

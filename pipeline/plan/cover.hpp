@@ -28,7 +28,7 @@ class Cover {
   explicit Cover(Size picture);
 
   /// Adds what an object covers. triangles: all of its stage 5; those that stage 6 would not draw cover
-  /// nothing. Cost: a few dozen nanoseconds an edge and a tile of each triangle's box.
+  /// nothing. Cost: a few dozen nanoseconds per edge and tile of each triangle's box.
   void add(int object, std::span<const Triangle> triangles);
 
   /// The number of an object that stands before all of an extent, with others; -1 where it may be seen, and

@@ -31,7 +31,7 @@ struct Decision {
   std::string why{};  ///< empty where there is nothing to say
 };
 
-/// The decisions on an object, one a stage.
+/// The decisions on an object, one per stage.
 ///
 /// plan: of this scene, those that are hidden in it. object: its number.
 /// Accuracy: what the chain then does, object by object.

@@ -61,7 +61,7 @@ Rules sound_rules(const Scene& scene, Rules rules);
 /// Domain: that of render; the window has a pixel at least and lies in the picture (refused otherwise).
 /// Accuracy: on the safe side: a box is widened by a pixel and by what rounding may be off, so an object
 ///   near the border of a decision is drawn, cut and lit.
-/// Cost: the vertices of each mesh once, however many objects show it; 8 corners an object, and its lights.
+/// Cost: the vertices of each mesh once, however many objects show it; 8 corners per object, and its lights.
 /// Errors: ContractViolation for a lens that sees nothing.
 Plan plan_of(const Scene& scene, Size size, Rules rules = Rules::all(), std::optional<Window> window = {});
 

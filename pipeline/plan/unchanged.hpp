@@ -17,7 +17,7 @@ bool same_view(const View& before, const View& now);
 /// For each frame the number of the frame whose picture it has (Rule::unchanged): that of the frame before,
 /// where the view is the same, else its own.
 ///
-/// views: of one scene, in the order of the run. Domain: any. Cost: same_view, once a frame. Errors: none.
+/// views: of one scene, in the order of the run. Domain: any. Cost: same_view, once per frame. Errors: none.
 std::vector<std::size_t> pictures_of(std::span<const View> views);
 
 /// Adds what was done for a frame to what was done for all.

@@ -16,8 +16,8 @@ enum class Antialiasing {
   poisson_disc,         ///< from places that keep their distance, others in each pixel
   area_sampling,        ///< from exact visible areas
   a_buffer,             ///< from masks of 32 sub-samples
-  adaptive,             ///< from samples where edges cross it, with one colour a fragment
-  adaptive_contrast,    ///< and with one a sample where neighbours differ
+  adaptive,             ///< from samples where edges cross it, with one colour per fragment
+  adaptive_contrast,    ///< and with one per sample where neighbours differ
 };
 
 /// What users call the methods, in the order of Antialiasing.

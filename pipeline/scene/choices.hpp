@@ -8,9 +8,9 @@ namespace gradus::pipeline {
 
 /// How often light is computed (shading/polygon_shading).
 enum class Shading {
-  flat,       ///< once a face
-  gouraud,    ///< once a corner of a triangle; what lies between is mixed
-  phong,      ///< once a pixel
+  flat,       ///< once per face
+  gouraud,    ///< once per corner of a triangle; what lies between is mixed
+  phong,      ///< once per pixel
   wireframe,  ///< never: the edges of faces alone are drawn
 };
 inline constexpr std::array<std::string_view, 4> shading_names{"flat", "gouraud", "phong", "wireframe"};

@@ -43,7 +43,7 @@ struct Scene {
   Culling culling = Culling::closed_bodies;
   TextureFilter filter = TextureFilter::mip_mapped;
   Antialiasing antialiasing = default_antialiasing;  ///< of `antialiased`; `render` asks centres
-  int samples = default_samples;                     ///< a pixel
+  int samples = default_samples;                     ///< per pixel
 };
 
 /// The object with this number.

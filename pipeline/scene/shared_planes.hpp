@@ -31,7 +31,7 @@ struct SharedPlanes {
 /// Accuracy: exact: two triangles share a plane if it holds the corners of both, and if the inside of each
 ///   meets that of some other there. Where finding that out takes too long, as for thousands of slivers round
 ///   one corner, all triangles of the plane share it. One without area shares none.
-/// Cost: some 0.2 us a triangle, and a test for each that it may meet.
+/// Cost: some 0.2 us per triangle, and a test for each that it may meet.
 /// Errors: none.
 SharedPlanes shared_planes(std::span<const dvec3> positions, std::span<const Triple> triangles);
 

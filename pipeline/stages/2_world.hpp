@@ -45,7 +45,7 @@ const glm::dmat4& placement(const Scene& scene, Id id) {
 /// Domain: affine placements.
 /// Steps: Placed* Turned*.
 /// Accuracy: that of affine_3d::transform.
-/// Cost: a transformation a vertex and a corner.
+/// Cost: a transformation per vertex and corner.
 /// Errors: none.
 template <Observer<Placed, Turned> O = Unobserved>
 Model<WorldPoint> to_world(const Scene& scene, Model<ObjectPoint> model, O&& observer = {}) {

@@ -39,7 +39,7 @@ inline bool two_sided(const Scene& scene, const Piece& piece) {
 /// Domain: finite coordinates, any w.
 /// Steps: Faced*.
 /// Accuracy: exact.
-/// Cost: a determinant a piece.
+/// Cost: a determinant per piece.
 /// Errors: ContractViolation for coordinates that are not finite.
 template <Observer<Faced> O = Unobserved>
 Model<ClipPoint> cull(const Scene& scene, Model<ClipPoint> model, O&& observer = {}) {

@@ -15,7 +15,7 @@ namespace gradus::pipeline {
 /// Domain: as cull.
 /// Steps: Faced*.
 /// Accuracy: wrong for pieces with one or three corners behind the eye.
-/// Cost: 3 divisions a piece.
+/// Cost: 3 divisions per piece.
 /// Errors: none.
 template <Observer<Faced> O = Unobserved>
 Model<ClipPoint> cull_after_division(const Scene& scene, Model<ClipPoint> model, O&& observer = {}) {

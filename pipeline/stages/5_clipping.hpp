@@ -49,11 +49,11 @@ struct Clipped {
 inline constexpr double guard_pixels = 1 << 20;
 
 /// Near and far plane, and the guard planes.
-/// size: of the picture, 1 to 2^17 pixels a side (refused otherwise).
+/// size: of the picture, 1 to 2^17 pixels per side (refused otherwise).
 inline std::array<sutherland_hodgman::Plane<double>, 6> guard_volume(Size size) {
   const auto [width, height] = size;
   expects(1 <= width && width <= 1 << 17 && 1 <= height && height <= 1 << 17,
-          "a picture has 1 to {} pixels a side, not {} x {}", 1 << 17, width, height);
+          "a picture has 1 to {} pixels per side, not {} x {}", 1 << 17, width, height);
   return sutherland_hodgman::view_volume(2 * guard_pixels / width, 2 * guard_pixels / height);
 }
 
@@ -175,13 +175,13 @@ inline Clipped clipped(PieceId id, const Polygon& before, const Polygon& after,
 /// Domain: finite coordinates, any w.
 /// Steps: Clipped*, in the order of the pieces.
 /// Accuracy: that of sutherland_hodgman::clip; neighbours get the same new corners on their common edge.
-/// Cost: 18 tests a piece; more where something is cut.
+/// Cost: 18 tests per piece; more where something is cut.
 /// Errors: ContractViolation for a picture beyond 2^17 pixels.
 template <Observer<Clipped> O = Unobserved>
 Triangles clip(const Model<WorldPoint>& w, const Model<ClipPoint>& m, Size size, O&& observer = {}) {
   auto V = guard_volume(size);
   auto z = plane_depths(m, size);
-  // One triangle a piece, or more
+  // One triangle per piece, or more
   auto all = room_for(m.pieces);
   for (auto& p : m.pieces) {
     // In clip space

@@ -1,6 +1,6 @@
 #pragma once
 // Stage 7, hidden surface removal and shading: the z-buffer keeps the nearest fragment of each pixel, Phong's
-// model gives it its colour, computed once a face, once a corner or once a pixel.
+// model gives it its colour, computed once per face, once per corner or once per pixel.
 
 #include <array>
 #include <compare>
@@ -255,7 +255,8 @@ inline Raster<LinearRgb> filled(Size size, const LinearRgb& colour) {
 ///
 /// Steps: Shaded*, row by row.
 /// Accuracy: that of illumination::phong.
-/// Cost: one illumination a visible pixel, a corner of a visible triangle, or a visible face: scene.shading.
+/// Cost: one illumination per visible pixel, per corner of a visible triangle or per visible face:
+///   scene.shading.
 /// Errors: none.
 template <Observer<Shaded> O = Unobserved>
 Raster<LinearRgb> shade(const Scene& scene, const Triangles& all, const Visible& seen, O&& observer = {}) {

@@ -26,7 +26,7 @@ inline bool too_bright(const LinearRgb& light) { return light.r > 1 || light.g >
 /// Domain: everything.
 /// Steps: Written*, row by row.
 /// Accuracy: the nearest 8-bit value.
-/// Cost: three look-ups a pixel.
+/// Cost: three look-ups per pixel.
 /// Errors: none.
 template <Observer<Written> O = Unobserved>
 Image output(const Raster<LinearRgb>& light, O&& observer = {}) {

@@ -187,7 +187,7 @@ inline Raster<z_buffer::Cell<double, int>> pass_of(const std::vector<adaptive::P
   return kept;
 }
 
-/// The accumulation buffer: a picture a sample, one after the other, each added to the sum.
+/// The accumulation buffer: a picture per sample, one after the other, each added to the sum.
 inline LightPicture passes(Shot& shot, const Pattern& pattern) {
   LightPicture sum = empty_picture(shot.window);
   Raster<int> covered(sum.width(), sum.height());
@@ -283,10 +283,10 @@ struct CuttingLimit {
   void add(std::size_t cuts) {
     left -= static_cast<std::int64_t>(cuts);
     if (left >= 0) return;
-    refuse_usage(
-        fmt::format("--aa area_sampling: expected triangles whose areas take at most {} cuts and {} a pixel, "
-                    "found {} that take more; adaptive and a_buffer take samples, and draw any",
-                    most, more_a_pixel, triangles));
+    refuse_usage(fmt::format(
+        "--aa area_sampling: expected triangles whose areas take at most {} cuts and {} per pixel, "
+        "found {} that take more; adaptive and a_buffer take samples, and draw any",
+        most, more_a_pixel, triangles));
   }
 };
 
@@ -315,14 +315,14 @@ inline LightPicture by_masks(Shot& shot) {
     a_buffer::a_buffer(triangles, window, colour, plot, a_buffer::OwnSurface{}, opacity);
   });
 }
-/// Samples where edges cross a pixel, and one colour a fragment.
+/// Samples where edges cross a pixel, and one colour per fragment.
 inline LightPicture adaptively(Shot& shot) {
   const auto places = adaptive::n_rooks(shot.samples);
   return of_fragments(shot, [&](auto triangles, const Window& window, auto& colour, const auto& plot) {
     adaptive::adaptive(triangles, window, places, colour, plot);
   });
 }
-/// The same, and a colour a sample where neighbours differ, also those beside the window.
+/// The same, and a colour per sample where neighbours differ, also those beside the window.
 inline LightPicture by_contrast(Shot& shot) {
   const auto& [lower, upper] = shot.window;
   const Window with_neighbours = intersection({lower - 1, upper + 1}, shot.picture);
@@ -385,8 +385,8 @@ inline void check_samples(const Scene& scene) {
 ///
 /// Domain: that of rasterize; 1 to 256 samples; a square of up to 1024 where takes_squares says so.
 /// Accuracy: with Antialiasing::none the bits of rasterize, keep_nearest and shade.
-/// Cost: colours: one a pixel (none), one a sample (supersampling, accumulation_buffer, jittered,
-///   poisson_disc), one a fragment (the others); adaptive_contrast one a sample in some pixels.
+/// Cost: colours: one per pixel (none), one per sample (supersampling, accumulation_buffer, jittered,
+///   poisson_disc), one per fragment (the others); adaptive_contrast one per sample in some pixels.
 /// Errors: ContractViolation for another number of samples.
 inline LightPicture antialias(const Scene& scene, const Triangles& triangles, Size size,
                               const Plan* plan = nullptr, PictureWatch* watch = nullptr) {

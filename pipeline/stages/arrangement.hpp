@@ -78,7 +78,7 @@ struct PainterLimit {
   void operator()(const Step&) {}
 
  private:
-  /// The first three ask for a few signs; planes and edges for one a corner, or for one a corner and edge.
+  /// The first three ask for a few signs; planes and edges for one per corner, or per corner and edge.
   static constexpr std::int64_t tests_of(painter::Test passed) {
     using enum painter::Test;
     return passed < behind ? 1 : passed < apart ? 3 : 8;

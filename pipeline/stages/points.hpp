@@ -42,7 +42,7 @@ struct SnappedPoint {
   ivec2 at{0};
 };
 
-/// Pixels of a picture, 1 to 2^15 a side.
+/// Pixels of a picture, 1 to 2^15 per side.
 struct Size {
   int width = 800, height = 600;
 };

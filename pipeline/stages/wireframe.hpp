@@ -95,7 +95,7 @@ inline std::array<Triangle, 2> bar(PieceId id, dvec2 p, dvec2 q, Size size) {
 /// Domain: that of clip.
 /// Steps: none.
 /// Accuracy: the bars' corners to a few ulp before they are snapped.
-/// Cost: a search an edge, and two triangles.
+/// Cost: a search per edge, and two triangles.
 /// Errors: ContractViolation for a picture beyond 2^17 pixels.
 inline Triangles outlines(const Model<ClipPoint>& model, Size size) {
   const auto planes = guard_volume(size);

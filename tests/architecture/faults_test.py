@@ -28,7 +28,7 @@ template <class Plot, Observer<Stepped> O = Unobserved>
 void walk(int steps, Plot&& plot,
           O&& observer = {}) {
   const char separators[] = {';', '\\', ']'};
-  // A step a time
+  // One step at a time
   for (int i = 0; i < steps; ++i) {
     plot(i);
     if constexpr (observed<O>) observer(Stepped{i});
@@ -82,7 +82,7 @@ template <class Plot, Observer<Stepped> O = Unobserved>
 void one_too_far(int steps, Plot&& plot,
                  O&& observer = {}) {
   const char separators[] = {';', '\\', ']'};
-  // A step a time
+  // One step at a time
   //- for (int i = 0; i < steps; ++i) {
   // Up to the end  //+
   for (int i = 0; i <= steps; ++i) {  //+

@@ -10,7 +10,7 @@
 namespace gradus::bench {
 namespace {
 
-/// Seconds a run, of every repetition.
+/// Seconds per run, of every repetition.
 struct Times {
   std::vector<double> real, cpu;
 };

@@ -15,7 +15,7 @@ struct Result {
   double nanoseconds = 0;  ///< an item, the median of the repetitions
   double cpu_nanoseconds = 0;
   double spread = 0;            ///< between the quartiles, as a part of the median
-  std::int64_t iterations = 0;  ///< runs a repetition
+  std::int64_t iterations = 0;  ///< runs per repetition
   int repetitions = 0;
 };
 

@@ -122,7 +122,7 @@ std::string table_of(const Findings& findings) {
   std::size_t wide = 34;
   for (const Result& r : findings.results)
     wide = std::max({wide, r.of.workload.name.size(), r.of.method.size()});
-  std::string text = fmt::format("{}: {}, times a {}\n", subject.topic, subject.title, subject.item);
+  std::string text = fmt::format("{}: {}, times per {}\n", subject.topic, subject.title, subject.item);
   for (const std::string& workload : workloads_of(findings)) {
     text += fmt::format("\n  {:<{}} {:<7} {:>9} {:>9} {:>8} {:>10} {:>10} {:>7}\n", workload, wide, "", "ns",
                         "M/s", "spread", "max " + subject.unit, "rms " + subject.unit, "wrong");
@@ -198,9 +198,9 @@ std::optional<plot::Chart> error_chart(const Findings& findings) {
   const std::vector<bool> best = pareto_optimal(compared);
   plot::Chart chart;
   chart.title = subject.title;
-  chart.subtitle = fmt::format("{} · worst error against time a {}, less is better in both", subject.telling,
-                               subject.item);
-  chart.x = {fmt::format("nanoseconds a {}", subject.item)};
+  chart.subtitle = fmt::format("{} · worst error against time per {}, less is better in both",
+                               subject.telling, subject.item);
+  chart.x = {fmt::format("nanoseconds per {}", subject.item)};
   chart.y = {fmt::format("worst error in {}", subject.unit), "0"};
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const Case& of = compared[i].of;
@@ -239,7 +239,7 @@ std::optional<plot::Chart> size_chart(const Findings& findings) {
   chart.title = subject.title;
   chart.subtitle = "time against size: slope 1 is time in proportion, 2 its square";
   chart.x = {fmt::format("n: {}", subject.measure)};
-  chart.y = {"microseconds a run"};
+  chart.y = {"microseconds per run"};
   chart.curves = std::move(curves);
   chart.legend = legend_of(shown);
   chart.footer = machine();
@@ -273,9 +273,9 @@ std::optional<plot::Chart> refinement_chart(const Findings& findings) {
   }
   for (plot::Curve& curve : chart.curves) curve.name.clear();
   chart.title = subject.title;
-  chart.subtitle = fmt::format("worst error against time a {}, from {} {} to {}", subject.item, least,
+  chart.subtitle = fmt::format("worst error against time per {}, from {} {} to {}", subject.item, least,
                                subject.measure, most);
-  chart.x = {fmt::format("nanoseconds a {}", subject.item)};
+  chart.x = {fmt::format("nanoseconds per {}", subject.item)};
   chart.y = {fmt::format("worst error in {}", subject.unit), "0"};
   chart.legend = legend_of(series);
   chart.footer = machine();

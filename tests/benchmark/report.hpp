@@ -22,7 +22,7 @@ struct Findings {
 /// and better in one of them.
 std::vector<bool> pareto_optimal(std::span<const Result> results);
 
-/// The table: a block a workload, its methods by time, the Pareto-optimal ones marked; of duels a line each.
+/// The table: a block per workload, its methods by time, the Pareto-optimal ones marked; a line per duel.
 std::string table_of(const Findings& findings);
 
 /// In Google Benchmark's layout: benchmarks[].name is topic/workload/method, times are those of an item;
@@ -35,7 +35,7 @@ std::string json_of(std::span<const Findings> findings);
 std::optional<plot::Chart> error_chart(const Findings& findings);
 /// Time against size of the methods on the series, with the slopes. Nothing when there is no series.
 std::optional<plot::Chart> size_chart(const Findings& findings);
-/// Error against time along the series of a refined subject: a curve a method, the sizes of its ends named.
+/// Error against time along the series of a refined subject: a curve per method, the sizes of its ends named.
 std::optional<plot::Chart> refinement_chart(const Findings& findings);
 
 /// The machine and the compiler, in a few words.

@@ -1,9 +1,9 @@
 // What the module of live pages should answer, by the same code in an ordinary program.
 //
-//   live_answers --draw COUNT SEED [TOPIC]   prints requests, one a line: COUNT seeded ones a topic
+//   live_answers --draw COUNT SEED [TOPIC]   prints requests, one per line: COUNT seeded ones per topic
 //   live_answers [FILE]…                     opens the files, PNG or text, and answers the requests of its
-//                                            input, one a line: "answer" or "refused", how many bytes, a line
-//                                            end, and those bytes
+//                                            input, one per line: "answer" or "refused", how many bytes, a
+//                                            line end, and those bytes
 
 #include <cstdlib>
 #include <fstream>

@@ -261,7 +261,7 @@ def exports(check, page):
     said = project.run(project.COMMAND, 'run', 'bresenham_line', '--to=9,4', '--step=4', '--json')
     check.equal("the step as data is the command's", step, said)
     rows = page.run('return player.tableSoFar()["text/csv"]').split('\r\n')
-    check.equal('the table has a row a step', [row.split(',')[0] for row in rows if row], ['k', '0', '1', '2', '3', '4'])
+    check.equal('the table has a row per step', [row.split(',')[0] for row in rows if row], ['k', '0', '1', '2', '3', '4'])
     page.run('player.does("copying")')
     check.that('the dialog shows the line to copy', '--to=9,4' in page.run('return player.parts["command-text"].textContent'))
 

@@ -3,7 +3,7 @@
 
     live_test.py [--count N] ANSWERS
 
-ANSWERS (live_answers.cpp) draws N seeded inputs a topic beside its examples and its promises' traps, and answers them by
+ANSWERS (live_answers.cpp) draws N seeded inputs per topic beside its examples and its promises' traps, and answers them by
 the same code in an ordinary program; that is held to `gradus run` here, too. Exits 1 when something differs, 77 when
 there is no Chromium or no module.
 """

@@ -29,7 +29,7 @@ def keyboard_and_mouse(check, browser, made):
         page.press('ArrowRight')
     state = page.state()
     check.equal('three times →', state['step'], '3')
-    check.equal('the table grew a row a step', len(state['table']), 4)
+    check.equal('the table grew a row per step', len(state['table']), 4)
     check.equal('the row that was read is weak', state['table'][2]['emphasis'], 'weak')
     check.equal('the row that was made is strong', state['table'][3]['emphasis'], 'strong')
     check.equal('the test completed the row', state['table'][2]['cells'], ['2', '2', '1', '-3', 'p < 0', 'E'])

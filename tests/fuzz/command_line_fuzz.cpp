@@ -48,7 +48,7 @@ void read_figure(const cli::Request& request) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // One word a line
+  // One word per line
   std::vector<std::string> words;
   std::string_view text(reinterpret_cast<const char*>(data), size);
   while (!text.empty()) {

@@ -144,7 +144,7 @@ def test_tables():
         done = gradus("check", "bresenham_line", "mine.csv", *words)
         return done.code, done.out.splitlines()[0] if done.out else done.err.strip()
     line = "0,0\n1,0\n2,1\n3,1\n4,2\n5,2\n6,3\n7,3\n"
-    equal(told(line), (0, "answer  right"), "a pixel a line")
+    equal(told(line), (0, "answer  right"), "a pixel per line")
     equal(told("# mine\nx;y\n" + line.replace(",", " ; ")), (0, "answer  right"), "with names, blanks, semicolons")
     equal(told(line.replace("4,2", "4,1")),
           (1, "answer  wrong from step 4 on: pixel 5 is (4, 1), ours (4, 2); all later pixels are right"), "one wrong")
@@ -172,7 +172,7 @@ def test_files_that_are_wrong():
     refused({"topic": "flood_fill", "answers": [answer]}, "results.json:1: topic: expected bresenham_line, found 'flood_fill'")
     refused({"answer": [answer]}, "results.json:2: expected one of topic, method, seed, conventions, answers, program, found 'answer', did you mean 'answers'?")
     refused({"answers": [{"case": "easy-1"}]}, "results.json:3: easy-1: expected a result or steps, found neither")
-    refused({"answers": [answer, answer]}, "results.json:9: expected one answer a case, found another to easy-1")
+    refused({"answers": [answer, answer]}, "results.json:9: expected one answer per case, found another to easy-1")
     refused({"answers": [{**answer, "case": "easy-99"}]},
             "results.json:3: case: expected one that `gradus cases bresenham_line --random-seed 1` names, found 'easy-99'")
     refused({"answers": [{"arguments": {"form": [0, 0]}, "result": {"pixels": []}}]},

@@ -146,7 +146,7 @@ def test_formats():
         equal(gradus(*line, "-o", name.upper(), "--format", ending.upper()).code, 0, "upper case")
         equal(read(name.upper()), data, "the same bytes again")
     equal(gradus(*line, "-o", "-").bytes, read("line.svg"), "SVG is what stdout gets")
-    equal(len(re.findall(rb"/Type /Page\b", read("line.pdf"))), 8, "one page a step")
+    equal(len(re.findall(rb"/Type /Page\b", read("line.pdf"))), 8, "one page per step")
     equal(json.loads(read("line.json"))["result"]["count"], 8, "JSON of the table")
     equal(gradus("-q", *line, "-o", "q.svg").err, "", "-q says nothing")
     equal(files(), sorted([f"line.{e}" for e in starts] + [f"LINE.{e.upper()}" for e in starts] + ["q.svg"]), "no more files")
@@ -155,8 +155,8 @@ def test_formats():
 def test_series():
     line = ["figure", "bresenham_line", "--from", "0,0", "--to", "7,3"]
     result = gradus(*line, "-o", "line-{step}.png")
-    equal(result.err.splitlines(), [f"line-{n}.png" for n in range(8)], "one line a file")
-    equal(files(), [f"line-{n}.png" for n in range(8)], "one file a step")
+    equal(result.err.splitlines(), [f"line-{n}.png" for n in range(8)], "one line per file")
+    equal(files(), [f"line-{n}.png" for n in range(8)], "one file per step")
     gradus(*line, "--step", "4", "-o", "four.png")
     equal(read("line-4.png"), read("four.png"), "a step of a series is that step")
     gradus(*line, "-o", "s/{step}.svg")
@@ -302,7 +302,7 @@ def test_long_texts():
 def test_long_runs():
     line = ["bresenham_line", "--to", "1000000,1"]
     result = gradus("run", *line)
-    steps = 50000  # of 100000 events, two a step
+    steps = 50000  # of 100000 events, two per step
     equal(result.err, f"recorded {steps} of 1000001 steps; --steps A-B takes a range\n", "the beginning")
     equal(gradus("run", *line, "-q").err, "", "-q")
     line = ["bresenham_line", "--to", "262144,1"]

@@ -198,7 +198,7 @@ def test_inspect_refuses():
         (dict(k_f=None), "data.json: expected a key k_f, found none"),
         (dict(k_cam_target=[1, 2, 3]), "data.json:1: k_cam_target: expected 3 rows of one number, found 1"),
         (dict(k_road_center=[[1], [2], [3]]), "data.json:1: k_road_center: expected 3 numbers, found a list of 1"),
-        (dict(v_uvs=DATA["v_uvs"][:3]), "data.json:1: v_uvs: expected 16 rows, one a vertex, found 3"),
+        (dict(v_uvs=DATA["v_uvs"][:3]), "data.json:1: v_uvs: expected 16 rows, one per vertex, found 3"),
         (dict(t_pos_idx=[[0, 1, 2.5]]), "data.json:1: t_pos_idx: expected whole numbers of vertices from 0 to 15, found 0"),
         (dict(k_sensor_width=1000), "data.json:1: k_sensor_width: expected 1/8 to 8 times the height, found 41.666666666666664 times"),
         (dict(car_velocity="fast"), "data.json:1: car_velocity: expected a number, found 'fast'"),

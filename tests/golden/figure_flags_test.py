@@ -72,8 +72,8 @@ def test_scale():
     check(share < 0.01, f"twice the pixels, the same picture: {share}")
     coarser = difference(pixels("one.png"), pixels("half.png", "scale=640:360:flags=neighbor"))
     check(coarser > 2 * share, f"half is coarser: {coarser}, twice {share}")
-    refused("--scale: expected at most 16384 pixels a side, found 65536 x 65536", "--size", "8192x8192", "--scale", "8", to="a.png")
-    refused("--scale: expected at most 16384 pixels a side, found 32768 x 1280", "--size", "4096x160", "--scale", "8", to="a.gif")
+    refused("--scale: expected at most 16384 pixels per side, found 65536 x 65536", "--size", "8192x8192", "--scale", "8", to="a.png")
+    refused("--scale: expected at most 16384 pixels per side, found 32768 x 1280", "--size", "4096x160", "--scale", "8", to="a.gif")
 
 
 def test_background():
@@ -165,13 +165,13 @@ def test_svg_groups():
         ids = [element.get("id") for element in root.iter() if element.get("id")]
         equal(len(ids), len(set(ids)), "ids are unique")
         slots = [child for child in root if child.tag == SVG + "g"]
-        equal(sorted(slot.get("id") for slot in slots), ["drawing", "footer", "listing", "sentence", "table", "title"], "a group a slot")
+        equal(sorted(slot.get("id") for slot in slots), ["drawing", "footer", "listing", "sentence", "table", "title"], "a group per slot")
         for slot in slots:
             equal(slot.get("class"), "slot-" + slot.get("id"), "its class")
             for group in slot:
                 kind = group.get("class", "").removeprefix("role-").removeprefix("tone-")
                 check(group.tag == SVG + "g" and re.fullmatch(rf"{slot.get('id')}-{kind}(-\d+)?", group.get("id", "")) and kind,
-                      f"a group a role: {group.get('id')} {group.get('class')}")
+                      f"a group per role: {group.get('id')} {group.get('class')}")
         title, desc = described(root)
         check(title.endswith(re.search(r"step 3 of \d+", desc)[0]), f"title: {title}")
         printed = gradus("run", *about, "--steps", "3").stdout.replace("\u00a0", " ").splitlines()
@@ -232,7 +232,7 @@ def test_labels():
     refused(re.compile(r"gradus: --label: expected one of the symbols E, .*, found 'q'.*\n"), "--label", "q=d")
     for topic in ("painter", "back_face_culling", "bsp_tree"):
         done = gradus("run", topic, "--label", "foo=A")
-        equal(done.stderr, f"gradus: --label: expected no symbol, for {topic} has none, found 'foo'\n", topic)
+        equal(done.stderr, f"gradus: --label: expected no symbol: {topic} uses none, found 'foo'\n", topic)
         check("Symbols\n  none that --label" in gradus("help", topic).stdout, topic)
     check("Symbols\n  E, M, N, NE," in gradus("help", "bresenham_line").stdout, "help lists them")
     refused(re.compile(r"gradus: --label: expected letters that can be drawn \(.*U\+2603.*\), found '☃'\n"), "--label", "p=☃")

@@ -35,7 +35,7 @@ def test_steps():
     equal([re.search(r"step (\d+) / 7", pdf_text("some.pdf", page + 1))[1] for page in range(page_count("some.pdf"))],
           ["1", "4", "6", "7"], "--steps 1,4,6-7")
     figure(to="all.pdf")
-    equal(page_count("all.pdf"), 8, "a page a step")
+    equal(page_count("all.pdf"), 8, "a page per step")
 
 
 def test_handout():
@@ -85,7 +85,7 @@ def test_snippets():
                         equal([page for other, page in shown if other == file], list(range(1, page_count(file) + 1)),
                               f"{kind}: the pages of {file}")
     snippet = gradus("figure", *LINE, "--snippet", "beamer", "-o", "b.pdf").stdout
-    equal(len(re.findall(r"includegraphics<\d>", snippet)), 8, "an overlay a step")
+    equal(len(re.findall(r"includegraphics<\d>", snippet)), 8, "an overlay per step")
     bare = gradus("figure", *LINE, "--snippet", "beamer", "--no-title", "-o", "b.pdf").stdout
     check("\\begin{frame}{Bresenham line" in bare and "\\begin{frame}[plain]" in snippet, "the slide's title where the figure has none")
 
@@ -142,7 +142,7 @@ def test_films():
     figure(*small, "--loop", "3", to="a.gif")
     film = probed("a.gif")
     equal((film["streams"][0]["codec_name"], film["streams"][0]["width"], film["streams"][0]["height"]), ("gif", 640, 360), "GIF")
-    equal([float(frame["pkt_duration_time"]) for frame in film["frames"]], 7 * [0.5] + [2.0], "a frame a step, the last longer")
+    equal([float(frame["pkt_duration_time"]) for frame in film["frames"]], 7 * [0.5] + [2.0], "a frame per step, the last longer")
     data = read("a.gif")
     at = data.index(b"NETSCAPE2.0")
     equal(int.from_bytes(data[at + 13:at + 15], "little"), 2, "three times: two repetitions")

@@ -111,7 +111,7 @@ def main():
     check(differing("line.png", "fill.png") > 0.01, "two different figures differ")
 
     run(GRADUS, "figure", *CASES["line"], "-o", "deck.pdf")
-    check(run("qpdf", "--show-npages", "deck.pdf").strip() == b"8", "a page a step")
+    check(run("qpdf", "--show-npages", "deck.pdf").strip() == b"8", "a page per step")
     text = run("pdftotext", "-f", "5", "-l", "5", "deck.pdf", "-").decode()
     check("go NE to (4,\u00a02)" in text or "go NE to (4, 2)" in text, f"the sentence is text: {text}")
     sys.exit(command.summary())

@@ -32,7 +32,7 @@ def measured(*words):
 
 
 def blank_png(side):
-    """One colour, one bit a pixel: a 16384th of a byte each."""
+    """One colour, one bit per pixel: a 16384th of a byte each."""
     def chunk(kind, data):
         return len(data).to_bytes(4, "big") + kind + data + zlib.crc32(kind + data).to_bytes(4, "big")
     packer, row = zlib.compressobj(9), bytes(1 + (side + 7) // 8)

@@ -1,5 +1,5 @@
 // Which line of the listing each kind of step marks, which inputs can be dragged, and whether a run decides
-// anything: one golden file a topic. GRADUS_UPDATE_GOLDEN=1 writes the files anew; look at the difference
+// anything: one golden file per topic. GRADUS_UPDATE_GOLDEN=1 writes the files anew; look at the difference
 // before committing it.
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ std::string decided(const Trace& trace) {
   return any ? "" : "  decides nothing\n";
 }
 
-/// What each kind of step marks: one row a line, with the steps that mark it, in the order of their first.
+/// What each kind of step marks: one row per line, with the steps that mark it, in the order of their first.
 std::string marks_of(const Trace& trace) {
   std::vector<std::pair<std::string, std::vector<std::string>>> rows;  // a line -> its steps
   Playhead playhead(trace);
@@ -85,7 +85,7 @@ void expect_golden(const std::string& text, const std::filesystem::path& path) {
 }
 
 void expect_no_plumbing(const Trace& trace, const Method& method) {
-  // An exhibit may be one wrong line and what it stands among, a method a loop of few
+  // An exhibit may be one wrong line and what it stands among, or a method that is a loop of few
   EXPECT_GE(trace.listing.size(), method.standing == Standing::faulty ? 4u : 7u) << method.name;
   for (const SourceLine& line : trace.listing) {
     EXPECT_EQ(line.text.find("observe"), std::string::npos) << line.text;

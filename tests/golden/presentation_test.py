@@ -110,7 +110,7 @@ def test_the_table_is_a_table():
     width = sum(int(c.get("w")) for c in table.iter(A + "gridCol"))
     equal(width, int(next(table.iter(P + "xfrm")).find(A + "ext").get("cx")), "columns fill the table")
     widths = {len(list(row.iter(A + "tc"))) for row in table.iter(A + "tr")}
-    equal(widths, {6}, "every row has a cell a column")
+    equal(widths, {6}, "every row has a cell per column")
 
 
 def test_the_drawing_is_a_vector_picture_with_pixels_beside_it():

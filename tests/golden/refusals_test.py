@@ -36,7 +36,7 @@ def test_wrong_input():
     numbers = "--order: expected the numbers 1 to 4 of the window's borders, each once in any order, found "
     topics = "TOPIC: expected the name of a topic (`gradus list` shows all), found "
     cell = f"expected two whole numbers from {INT32} like 3,4, found "
-    size = "--size: expected a width and a height like 1280x720 or 12cmx8cm (160 to 8192 pixels, 96 an inch), or a ratio like 4:3, found "
+    size = "--size: expected a width and a height like 1280x720 or 12cmx8cm (160 to 8192 pixels, 96 per inch), or a ratio like 4:3, found "
     steps = "--steps: expected steps like 3-9 or 1,4,9-12, found "
     table = [
         # command, topic, flags
@@ -51,7 +51,7 @@ def test_wrong_input():
         (["run", "flood_fill", "--color", "red"], "--color: expected one of auto, always, never, found 'red'"),
         (["run", "bresenham_line", "--window", "5,0,3,1"], "--window: expected xmin <= xmax, not 5 > 3, found '5,0,3,1'"),
         (["run", "bresenham_line", "--window", "0,0,3,1", "--method", "dda"],
-         "--window: method dda has none: it walks to every pixel"),
+         "--window: method dda takes none: it walks to every pixel"),
         (["run", "bresenham_line", "x"], "run: expected only a TOPIC, found 'x'"),
         (["list", "a", "b"], "list: expected at most one WORD, found 'b'"),
         (["figures", "x"], "LECTURE: expected a readable file, found 'x' (No such file or directory)"),
@@ -116,7 +116,7 @@ def test_wrong_input():
          "--compare: expected a topic that takes --from as bresenham_line does, found 'flood_fill'"),
         ([*line, *out, "--compare", "--theme dark"], "--compare: expected inputs of bresenham_line, found '--theme'"),
         ([*line, *out, "--compare", "--to x"], "--to: expected two whole numbers from -2147483648 to 2147483647 like 3,4, found 'x'"),
-        ([*line, *out, "--steps", "2-4"], "--steps: expected one step for one picture ({step} in the name of -o makes one file a step), found '2-4'"),
+        ([*line, *out, "--steps", "2-4"], "--steps: expected one step for one picture ({step} in the name of -o makes one file per step), found '2-4'"),
         ([*line, "-o", "x.pdf", "--steps", "2-9"], "--steps 2-9: bresenham_line has steps 0..7 for this input"),
         ([*line, "-o", "x.pdf", "--steps", "4-2"], steps + "'4-2'"),
         ([*line, "-o", "x.pdf", "--step", "1", "--steps", "2"], "--step: expected either this or --steps, found both"),

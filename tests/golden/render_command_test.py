@@ -106,7 +106,7 @@ def test_bad_commands():
         ([SPOT, *out, "--shading", "toon"], "--shading: expected one of flat, gouraud, phong, wireframe, found 'toon'"),
         ([SPOT, *out, "--aa", "msaa"],
          "--aa: expected one of none, supersampling, accumulation_buffer, jittered, poisson_disc, area_sampling, a_buffer, adaptive, adaptive+contrast, found 'msaa'"),
-        *[([SPOT, *out, "--samples", text], f"--samples: expected 1 to 256 samples a pixel, found '{text}'") for text in ("0", "257", "-4", "4.5", "many")],
+        *[([SPOT, *out, "--samples", text], f"--samples: expected 1 to 256 samples per pixel, found '{text}'") for text in ("0", "257", "-4", "4.5", "many")],
         ([SPOT, *out, "--samples", "8", "--aa", "supersampling"],
          "--samples: expected a square like 4, 9 or 16, for they stand in cells, found '8'"),
         *[([SPOT, *out, "--samples", "16", "--aa", method], f"--samples: expected no number beside --aa {method}, which has its own, found '16'")

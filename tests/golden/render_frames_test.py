@@ -269,7 +269,7 @@ def test_refusals():
     beyond = "--frames: expected frames of the path, which has 0 to 11, found "
     spelling = "--frames: expected frames like 0-124, 17 or 0-124/5, found "
     part = "--array: expected one of so many parts like 1/4, counted from 1, found "
-    file = "-o: expected a file a frame like f-{frame}.png, or a film like film.mp4, found "
+    file = "-o: expected a file per frame like f-{frame}.png, or a film like film.mp4, found "
     cases = [
         (["--frames", "0-12", *FRAMES], beyond + "'0-12'"), (["--frames", "12", "-o", "x.png"], beyond + "'12'"),
         *[(["--frames", text, *FRAMES], f"{spelling}'{text}'") for text in ("x", "3-1", "1-", "-3", "1-2-3", "1/0", "1.5", "1000000")],
@@ -277,7 +277,7 @@ def test_refusals():
         (["--frames", "0-3", "-o", "x.png"], file + "'x.png'"), (["--frames", "0-3", "-o", "-"], file + "'-'"),
         (["-o", "f-{frame}.jpg"], file + "'f-{frame}.jpg'"), (["-o", "{frame}/f.png"], file + "'{frame}/f.png'"),
         (["-o", "x-{frame}.mp4"], file + "'x-{frame}.mp4'"),
-        (["-o", "x.mp4", "--array", "1/2"], "--array: expected a file a frame, of which a part can be made, found 'x.mp4'"),
+        (["-o", "x.mp4", "--array", "1/2"], "--array: expected a file per frame, of which a part can be made, found 'x.mp4'"),
         (["-o", "x.png", "--jobs", "2"], "--jobs: expected several frames, found one picture"),
         (["--jobs", "0", *FRAMES], "--jobs: expected a whole number from 1 to 1024, found '0'"),
         (["-o", "s.json/f-{frame}.png"], "-o: expected a folder, found 's.json'"),

@@ -120,7 +120,7 @@ def test_page_tells_what_why_tells():
                          (4, [LETTER, "--shading", "wireframe", "--size", "48x36"]), (1, [LETTER, "--size", "1x1"])):
         page = page_of(*words)
         width, height = page.data["width"], page.data["height"]
-        equal((len(page.data["rows"]), {len(page.block(row)) for row in page.data["rows"]}), (height, {width}), f"{words}: a text a pixel")
+        equal((len(page.data["rows"]), {len(page.block(row)) for row in page.data["rows"]}), (height, {width}), f"{words}: a text per pixel")
         equal(Picture(page.png).pixels, picture(*words, "--engine", "textbook").pixels, f"{words}: the picture")
         same_stories(page, count, *words)
 
@@ -159,7 +159,7 @@ def test_figure_says_what_the_text_says():
         equal((made.code, made.out, made.err), (0, "", "why.svg\n"), f"{words}")
         svg = read("why.svg").decode()
         depths = re.findall(r"^  7 (?:depth|drawing order) +([\d.e-]+),", told, re.M)
-        equal(len(set(re.findall(r'data-id="depth (\d+)"', svg))), len(depths), f"a dot a triangle\n{told}")
+        equal(len(set(re.findall(r'data-id="depth (\d+)"', svg))), len(depths), f"a dot per triangle\n{told}")
         description = re.search(r"<desc[^>]*>(.*?)</desc>", svg)[1]
         colour = re.search(r"is (#\w+) in sRGB", told)[1]
         check(colour in description, f"{colour} in {description}")

@@ -197,7 +197,7 @@ void is_laid_out(const Trace& trace) {
     EXPECT_FALSE(lay_out(figure_of(trace, playhead, step), Look{}).shapes.empty()) << trace.topic;
 }
 
-// A line a run: its hash in English, in German, and what it is. A build with sanitizers may have a part of
+// A line per run: its hash in English, in German, and what it is. A build with sanitizers may have a part of
 // the topics; it compares the English ones.
 TEST(TraceHash, IsTheCommittedOneOnThisCompiler) {
   const std::string path = std::string(GRADUS_SOURCE_DIR) + "/tests/golden/trace_hashes.txt";

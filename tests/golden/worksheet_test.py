@@ -66,7 +66,7 @@ def test_pages_say_what_they_should():
                                         ("de", "Name: Ada Lovelace", "____ von 10 Punkten", "Lösung")):
         made(*LINE, "liang_barsky", "-o", "s.pdf", "--students", "names.txt", "--language", language, "--points", "20", "-q")
         sheets, keys = pages_text("s.pdf"), pages_text("s-key.pdf")
-        equal((len(sheets), len(keys)), (4, 4), "a page a task and student")
+        equal((len(sheets), len(keys)), (4, 4), "a page per task and student")
         check(name in sheets[0] and "Zoë" in sheets[2], sheets[0])
         check(all(key in page for page in keys) and not any(key in page for page in sheets), "the key is apart")
         totals = [sum(float(number.replace(",", ".")) for number in re.findall(r"____ (?:of|von) ([\d.,]+) ", page))
@@ -174,7 +174,7 @@ def test_answers_are_those_of_the_run():
     for topic in ("bresenham_line", "bresenham_circle", "liang_barsky", "cohen_sutherland_2d", "viewport", "affine_2d"):
         made("worksheet", topic, "-o", "quiz.xml", "--students", "names.txt", "-q")
         questions = questions_in("quiz.xml")
-        equal(len(questions), 3, f"{topic}: a question a student")
+        equal(len(questions), 3, f"{topic}: a question per student")
         tables = []
         for question in questions:
             html = question.find("questiontext/text").text
@@ -214,7 +214,7 @@ def test_names_for_latex():
     check("Łukasz \\textquotedbl{}Ł\\textquotedbl{} \\& Söhne\\_\\{50\\%\\}" in text, "specials are escaped")
     check("\\textbackslash{}input\\{x\\}\\#1" in text and "12345" not in text and "example.org" not in text, "the name alone")
     equal(subprocess.run(["pdfinfo", "s-figures.pdf"], capture_output=True, text=True).stdout.count("Pages:           2"), 1,
-          "a drawing a student")
+          "a drawing per student")
 
 
 # --- Names in any script -----------------------------------------------------------------------------------------------
@@ -225,7 +225,7 @@ def name_inks(path, page):
     boxes = subprocess.run(["pdftotext", "-bbox", "-f", str(page), "-l", str(page), path, "-"], capture_output=True).stdout.decode()
     left, top, right, bottom = (float(number) for number in re.search(
         r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">Name:', boxes).groups())
-    scale = 4  # pixels a point
+    scale = 4  # pixels per point
     shown = subprocess.run(["pdftoppm", "-r", str(72 * scale), "-gray", "-f", str(page), "-l", str(page), "-x", str(round(right * scale)),
                             "-y", str(round(top * scale)), "-W", str(300 * scale), "-H", str(round((bottom - top) * scale)), path],
                            capture_output=True).stdout
@@ -259,7 +259,7 @@ def test_names_in_any_script():
         made(*LINE, "-o", "s.pdf", "--students", "names.csv", "-q", env=own | locale)
         check((read("s.pdf"), read("s-key.pdf")) == before, f"the same bytes under {locale}")
     sheets, keys = pages_text("s.pdf"), pages_text("s-key.pdf")
-    equal((len(sheets), len(keys)), (5, 5), "a page a student")
+    equal((len(sheets), len(keys)), (5, 5), "a page per student")
     check("Name: Ada" in sheets[3] and "Name: Ada" in keys[3], sheets[3])
     for page, letters in ((0, "محمد"), (1, "دمم"), (4, "مهدیزاده")):
         for text in (sheets[page], keys[page]):
@@ -306,7 +306,7 @@ def test_what_is_refused_in_one_line():
             (["-o", "s.pdf", "--points", "1"], "--points: expected at least 2 for this sheet, found 1"),
             (["-o", "s.pdf", "--table-rows", "1"], "--table-rows: expected a whole number from 2 to 16, found '1'"),
             (["-o", "s.pdf", "--seed=-1"], "--seed: expected a whole number from 0 to 9223372036854775807, found '-1'"),
-            (["-o", "s.pdf", "--students", "empty.txt"], "--students: expected a name a line, found none"),
+            (["-o", "s.pdf", "--students", "empty.txt"], "--students: expected a name per line, found none"),
             (["-o", "s.pdf", "--students", "none.txt"], "--students: "),
             (["-o", "s.pdf", "--students", "turned.txt"], "--students: expected names of up to 100 letters in UTF-8, found "),
             (["-o", "names.txt", "--format", "pdf", "--students", "names.txt"], "-o: "),

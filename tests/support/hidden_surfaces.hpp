@@ -302,7 +302,7 @@ class Sighted {
             {int(std::floor(upper_[0])), int(std::floor(upper_[1]))}};
   }
   Real nearness(Real x, Real y) const { return at_middle_ + right_ * (x - middle_) + down_ * (y - middle_); }
-  /// How fast two faces' nearness parts, a pixel.
+  /// How fast two faces' nearness parts, per pixel.
   friend Real slope_between(const Sighted& a, const Sighted& b) {
     return std::hypot(a.right_ - b.right_, a.down_ - b.down_);
   }
@@ -363,7 +363,7 @@ inline Verdict verdict_at(const std::vector<Sighted>& faces, ivec2 pixel, long d
   return verdict;
 }
 
-/// By a ray a pixel. margin: in pixels.
+/// By a ray per pixel. margin: in pixels.
 inline Raster<Verdict> by_rays(const Polygons& scene, const Camera& camera, long double margin) {
   const auto faces = sighted(scene, camera);
   Raster<Verdict> verdicts(camera.size, camera.size);

@@ -1,6 +1,6 @@
 """One small model in many formats: what tests of imported models write, without any library.
 
-A model is a Model of positions, triangles or larger faces of them, and texture coordinates a corner (v up, as in OBJ).
+A model is a Model of positions, triangles or larger faces of them, and texture coordinates per corner (v up, as in OBJ).
 """
 import base64
 import dataclasses
@@ -12,7 +12,7 @@ import struct
 class Model:
     positions: list
     faces: list                                   # of position numbers, counter-clockwise from outside
-    uvs: list = dataclasses.field(default_factory=list)  # of each face, a pair a corner
+    uvs: list = dataclasses.field(default_factory=list)  # of each face, a pair per corner
 
     def triangles(self):
         return [(face[0], b, c) for face in self.faces for b, c in zip(face[1:], face[2:])]

@@ -151,7 +151,7 @@ inline Light random_light(Random& random) {
   return light;
 }
 
-/// So many objects in a cube of 12 a side, a camera among them.
+/// So many objects in a cube with sides of 12, a camera among them.
 inline pipeline::Scene random_scene(Random& random, int objects) {
   pipeline::Scene scene;
   for (int i = 0; i < objects; ++i) scene.objects.push_back(random_object(random));

@@ -1,4 +1,4 @@
-"""Documents have one sentence a line, so that a change shows which sentence it changed.
+"""Documents have one sentence per line, so that a change shows which sentence it changed.
 
 `python3 tests/support/sentences.py` writes them so; the test architecture/docs holds them to it. What is not prose stays as it
 is: code, formulas, tables, headings, HTML, definitions of links and what stands between two lines of ---.
@@ -56,7 +56,7 @@ def blocks(text):
 
 
 def one_a_line(lines):
-    """A block of prose with one sentence a line."""
+    """A block of prose with one sentence per line."""
     mark = MARK.match(lines[0])
     first = mark[0] if mark else re.match(r"\s*", lines[0])[0]
     rest = re.sub(r"[^>\s]", " ", first)
@@ -65,7 +65,7 @@ def one_a_line(lines):
 
 
 def written_so(text):
-    """A document with one sentence a line."""
+    """A document with one sentence per line."""
     return "\n".join(line for prose, lines in blocks(text) for line in (one_a_line(lines) if prose else lines))
 
 

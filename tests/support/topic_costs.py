@@ -119,7 +119,7 @@ def costs_of(outputs, tests, topics):
 
 
 def table(costs):
-    """A row a topic, the dearest first, what belongs to none of them below; then the totals of each kind."""
+    """A row per topic, the dearest first, what belongs to none of them below; then the totals of each kind."""
     columns = [kind for kind in KINDS if any(cost.compile[kind] for cost in costs.values())]
     rows = [["seconds", *columns, "compile", "test", "all"]]
     own = sorted((name for name in costs if name != NO_TOPIC), key=lambda name: -costs[name].seconds())

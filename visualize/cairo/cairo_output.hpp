@@ -20,7 +20,7 @@ namespace gradus {
 ///     <g id="drawing" class="slot-drawing">        a slot: title, drawing, listing, table, sentence, footer
 ///       <g id="drawing-current" class="role-current">  in it what has one role (see Role) …
 ///       <g id="drawing-rule" class="tone-rule">        … or belongs to the furniture (see Tone)
-///         <rect data-id="cell 3,2">                what the figure calls a shape or text, once a part of it
+///         <rect data-id="cell 3,2">                the figure's name of a shape or text, once per part
 ///
 /// Groups don't change the drawing order: one that is interrupted goes on as drawing-current-2, -3, …, so an
 /// id names one stretch and a class all. `.slot-drawing .role-current { visibility: hidden }` hides the
@@ -35,7 +35,7 @@ inline constexpr int longest_side = 32767;  ///< Cairo's limit
 
 std::string png_of(const Sheet& sheet, const Finish& finish, const Colophon& colophon);
 
-/// One page of its own size a sheet; page(i) is asked for when its turn comes, so that no more than one is
+/// One page of its own size per sheet; page(i) is asked for when its turn comes, so that no more than one is
 /// held at a time.
 std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& page, const Finish& finish,
                    const Colophon& colophon);

@@ -128,7 +128,7 @@ class AnswersReader {
       if (answer.result.empty() && answer.steps.empty())
         refuse_answer(to_, node.line, answer.id, "a result or steps", "neither");
       const bool twice = std::ranges::find(to_.answers, answer.id, &OwnAnswer::id) != to_.answers.end();
-      if (twice) refuse_answer(to_, node.line, "", "one answer a case", "another to " + answer.id);
+      if (twice) refuse_answer(to_, node.line, "", "one answer per case", "another to " + answer.id);
       to_.answers.push_back(std::move(answer));
     }
   }

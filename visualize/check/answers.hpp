@@ -36,7 +36,7 @@ struct OwnAnswers {
 
 /// Reads either form. JSON: {"topic": …, "method": …, "seed": …, "conventions": {…}, "answers": [{"case": …
 /// or "arguments": {…}, "result": {…}, "steps": [{…}]}]}. A table: values with commas (or semicolons, tabs,
-/// blanks) between them, a line a step, "#" before comments; its first line may name them, else they are x
+/// blanks) between them, a line per step, "#" before comments; its first line may name them, else they are x
 /// and y. Columns x and y are the result's pixels, all columns are the steps' values.
 /// Errors: InputError "file:line: expected …, found …".
 OwnAnswers read_answers(const TopicEntry& topic, std::string_view text, const std::string& file);

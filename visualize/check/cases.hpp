@@ -39,7 +39,7 @@ inline constexpr std::int64_t most_cases = 50;
 
 /// Draws cases of a topic. A case depends on seed, kind and its number alone, not on how many are asked for.
 /// `fixed` stays as it is in every case. Every case runs. A kind of which none is found has fewer, or none:
-/// not every topic has ties. Cost: up to some hundred runs a kind.
+/// not every topic has ties. Cost: up to some hundred runs per kind.
 class Cases {
  public:
   Cases(const TopicEntry& topic, GivenTexts fixed, std::uint64_t seed, ReadArguments read)

@@ -34,7 +34,7 @@ class Comparison {
   const std::vector<ivec2>& wrong_cells() const { return wrong_cells_; }
   /// Every tie of a run that draws cells, with the cell that was taken.
   const std::vector<TiedCells>& tied_cells() const { return tied_; }
-  /// Of lists with one element a step that may or may not be taken: ties that were, and that were not.
+  /// Of lists with one element per step that may or may not be taken: ties that were, and that were not.
   std::pair<std::size_t, std::size_t> tied_elements() const { return {tied_in_, tied_out_}; }
 
   /// Whether what comes behind the first difference follows from it, and what is said of that.

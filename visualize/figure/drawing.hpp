@@ -106,7 +106,7 @@ struct Delta {
 };
 
 /// What the drawing shows after some step: how each cell looks, and the marks by id.
-/// Memory: a byte a cell for grids of up to 2^26 cells; for larger ones as much as has been changed.
+/// Memory: a byte per cell for grids of up to 2^26 cells; for larger ones as much as has been changed.
 class Canvas {
  public:
   Canvas() = default;
@@ -129,7 +129,7 @@ class Canvas {
   void put(ivec2 p, std::uint8_t role);
 
   Window window_;
-  std::vector<std::uint8_t> dense_;                         ///< a role a cell, or bare; empty for a huge grid
+  std::vector<std::uint8_t> dense_;  ///< a role per cell, or bare; empty for a huge grid
   std::unordered_map<std::uint64_t, std::uint8_t> sparse_;  ///< the same where cells are too many
   std::unordered_map<std::uint64_t, std::string> texts_;
   std::unordered_map<std::uint64_t, Rgba8> colors_;
@@ -148,7 +148,7 @@ struct Grid {
   double lines = 0;    ///< of a paper with lines of text: in units of a slide, how large a cell they ask for
   int shelf = 0;  ///< so many rows, those of the least numbers, are no part of the grid but room beside it:
                   ///< cells that a story puts there are drawn, without lines, centres and numbers
-  /// The input picture, if there is one: one texel a cell, from cells.lower, row 0 first. Copies share it.
+  /// The input picture, if there is one: one texel per cell, from cells.lower, row 0 first. Copies share it.
   std::shared_ptr<const Image> picture;
 
   /// The cells that are the grid's own: those of a shelf are not.

@@ -33,7 +33,7 @@ struct Figure {
   struct TableRow {
     Row cells;
     Emphasis emphasis = Emphasis::none;
-    std::vector<bool> changed;  ///< a cell a column: changed by this step
+    std::vector<bool> changed;  ///< a cell per column: changed by this step
   };
   std::vector<TableRow> rows;  ///< all rows so far; the layout shows the last ones that fit
 };
@@ -46,7 +46,7 @@ enum class LineNumbers : std::uint8_t { listing, source, none };
 
 /// What the reader asked for.
 struct Look {
-  double width = 1280, height = 720;  ///< CSS pixels, 96 an inch
+  double width = 1280, height = 720;  ///< CSS pixels, 96 per inch
   std::set<Slot> slots{all_slots.begin(), all_slots.end()};
   Layout layout = Layout::slide;
   bool crop = false;           ///< the sheet ends where the slots end, the same for all steps

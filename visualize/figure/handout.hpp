@@ -12,7 +12,7 @@
 
 namespace gradus {
 
-/// A sheet of paper, upright; CSS pixels, 96 an inch.
+/// A sheet of paper, upright; CSS pixels, 96 per inch.
 struct Paper {
   std::string_view name;
   double width, height;
@@ -43,7 +43,7 @@ std::size_t handout_page_count(const Handout& handout, std::size_t figures);
 
 /// Page `page`, counted from 0, of `figures` figures in all, row by row. figure(i) is asked for when its turn
 /// comes and must live until the next is asked for. Nothing is smaller than 7 pt. In a box that is too small
-/// for all slots the listing is left out, then the table; title and footer stand once a page, the sentence
+/// for all slots the listing is left out, then the table; title and footer stand once per page, the sentence
 /// beneath its figure. Throws ContractViolation for a grid of none or more than 4 x 6 figures, and as
 /// lay_out does.
 Sheet handout_page(const Handout& handout, std::size_t page, std::size_t figures,

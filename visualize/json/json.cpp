@@ -26,7 +26,7 @@ std::string text_of(const Json& json) {
   return script_safe(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-/// An object as lines, one a member; the members given last as a list of lines, one an element.
+/// An object as lines, one per member; the members given last as a list of lines, one per element.
 class Lines {
  public:
   explicit Lines(bool indented) : indent_(indented ? "  " : "") {}
@@ -214,7 +214,7 @@ Json before_json(const Trace& trace) {
   return out;
 }
 
-/// Up to 256 colours: a palette and a byte a texel; else four bytes a texel.
+/// Up to 256 colours: a palette and a byte per texel; else four bytes per texel.
 Json picture_json(const Image& image) {
   std::unordered_map<std::uint32_t, std::size_t> index;
   Json palette = Json::array();

@@ -103,7 +103,7 @@ extern "C" {
   gradus::Image picture(width, height);
   const std::string& room = state().room;
   if (room.size() - name_size != 4 * picture.cells().size())
-    gradus::refuse_usage("expected four bytes a pixel in the room that was asked for");
+    gradus::refuse_usage("expected four bytes per pixel in the room that was asked for");
   std::size_t at = name_size;
   for (gradus::Rgba8& pixel : picture.cells()) {
     for (std::uint8_t* const part : {&pixel.r, &pixel.g, &pixel.b, &pixel.a})

@@ -40,7 +40,7 @@ struct PresentationCard {
   std::string markup;  ///< the colophon as an XML element: how the figure is made again
 };
 
-/// The parts of the package, in the order in which they are to be packed: one slide a step, all of the size
+/// The parts of the package, in the order in which they are to be packed: one slide per step, all of the size
 /// of the first sheet. step(i) is asked for when its turn comes. The same steps give the same bytes.
 /// At least one step.
 std::vector<PackagePart> presentation_of(std::size_t steps,

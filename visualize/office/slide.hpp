@@ -19,7 +19,7 @@ std::string svg_relation(std::size_t i);
 
 Slide slide_of(const PresentedStep& step, const DrawPart& draw, const Theme& theme);
 
-/// Pixels of a figure as the units of an Office file: 914,400 an inch of 96 pixels.
+/// Pixels of a figure as the units of an Office file: 914,400 per inch of 96 pixels.
 long long emu(double pixels);
 
 }  // namespace gradus

@@ -115,7 +115,7 @@ class Panel {
   std::optional<dvec2> shown_at(dvec2 world) const {
     return shown().holds(world) ? std::optional(at(world)) : std::nullopt;
   }
-  /// Paper units a unit of the plane.
+  /// Paper units per unit of the plane.
   dvec2 scale() const { return scale_; }
   const Extent& place() const { return place_; }
   /// What the whole place shows: at least the world that was asked for.

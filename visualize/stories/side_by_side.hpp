@@ -54,9 +54,9 @@ struct NumericRuns {
 /// The arithmetic that the story itself was told in.
 enum class ToldIn { floats, doubles };
 
-/// Replaces the table of a whole trace: a row a number. Trace steps and numeric steps of one type correspond
-/// in order; a step with several numbers becomes several finer ones. Trace.telling becomes the first step
-/// that float or double decides otherwise than exact arithmetic, if there is one.
+/// Replaces the table of a whole trace: a row per number. Trace steps and numeric steps of one type
+/// correspond in order; a step with several numbers becomes several finer ones. Trace.telling becomes the
+/// first step that float or double decides otherwise than exact arithmetic, if there is one.
 void put_side_by_side(Trace& trace, const NumericRuns& runs, ToldIn told_in);
 
 /// Runs `method(T(), observer)` for the three T. `Numbers` has, for each type of step that the method

@@ -305,7 +305,7 @@ std::vector<SpaceEdge> SpaceDrawing::piercings() const {
   return lines;
 }
 
-/// A fraction's place on the paper, and how the line runs there: paper units a unit of the fraction.
+/// A fraction's place on the paper, and how the line runs there: paper units per unit of the fraction.
 std::optional<SpaceDrawing::Course> SpaceDrawing::course(const SpaceEdge& edge, double part) const {
   constexpr double step = 1e-3;
   const auto here = look_.at(edge.a + part * (edge.b - edge.a));

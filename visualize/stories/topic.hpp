@@ -42,7 +42,7 @@ enum class ParameterType {
   numbers,  ///< as many numbers as `parts` has names: "1,0.5,2" for x,y,z
   bounds,   ///< the same, all lower ones first: "0,0,10,8" for xmin,ymin,xmax,ymax; none above its upper one
   points,   ///< points of as many numbers as `parts` has names: "0,0 6,0 6,3"; from `least` to `most` of them
-  rings,    ///< several such lists: "0,0 6,0 6,3; 8,1 9,1 9,2"; `least` points a ring, `most` in all
+  rings,    ///< several such lists: "0,0 6,0 6,3; 8,1 9,1 9,2"; `least` points per ring, `most` in all
   order,    ///< all of `choices`, each once: "left,right,bottom,top"; where `numbered`, "2,1,3", too
   factors,  ///< transformations in the order of acting: "rotate 30 about 1,1; scale 2"; `parts`: x,y or x,y,z
   faces,    ///< faces in space, "a: 0,0,0 4,0,0 4,3,0; b: …", or a JSON or OBJ file; `most` corners in all
@@ -139,7 +139,7 @@ class Arguments {
     std::string text;                      ///< canonical spelling
     ArgumentValue value{};                 ///< what that says (see read_argument)
     std::shared_ptr<const Image> image{};  ///< picture parameters: what the file holds; copies share it
-    std::string content{};  ///< mazes: the rows, one a line, wherever they came from; models: the file
+    std::string content{};  ///< mazes: the rows, one per line, wherever they came from; models: the file
     std::map<std::string, std::string> libraries{};  ///< models: what the material files it names hold
     std::string hash{};                              ///< of the file's bytes, where the value is a file
     bool quotable = true;                            ///< whether messages may show what stands in that file

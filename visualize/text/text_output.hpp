@@ -18,7 +18,7 @@ std::string text_of(const Trace& trace, bool color);
 /// wording: programs read them.
 std::string csv_of(const Trace& trace);
 
-/// The decision table as a Markdown table: its columns, a row a step.
+/// The decision table as a Markdown table: its columns, a row per step.
 std::string markdown_of(const Trace& trace);
 
 /// The decision table as a LaTeX tabular with the rules of the package booktabs.

@@ -15,7 +15,7 @@ struct Word {
   std::size_t columns = 0;
 };
 
-/// Columns of a text in a terminal: one a character, none for "\033[1m" and the like.
+/// Columns of a text in a terminal: one per character, none for "\033[1m" and the like.
 std::size_t columns_of(std::string_view text) {
   std::size_t columns = 0;
   for (std::size_t at = 0; at < text.size();) {

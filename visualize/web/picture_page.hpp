@@ -14,7 +14,7 @@ struct PicturePage {
   Colophon colophon;
   std::string png;  ///< the picture
   int width = 0, height = 0;
-  std::vector<std::string> forms, shared, rows;  ///< of a TextPack: a block a row of pixels, a text a pixel
+  std::vector<std::string> forms, shared, rows;  ///< of a TextPack: a block per row, a text per pixel
 };
 
 /// One HTML file. A click on a pixel shows its text, as do arrow keys and Enter.

@@ -162,7 +162,7 @@ bool can_be_had(std::string_view cell, Reckoning reckoning) {
         while (at < text.size() && (is_letter_of_name(text[at]) || is_figure(text[at]))) ++at;
         continue;
       }
-      // A code of one sign a place: 1010
+      // A code of one sign per place: 1010
       const auto binary = [](char32_t c) { return c == U'0' || c == U'1'; };
       const bool bits = number.whole >= 4 && std::ranges::all_of(text.substr(begin, at - begin), binary);
       if (!bits && !can_be_had(number, reckoning)) return false;

@@ -23,8 +23,8 @@ bool can_be_had(std::string_view cell, Reckoning reckoning);
 
 /// A row of the step table as it is handed out.
 struct ExerciseRow {
-  Row cells;                ///< the answers, one a column; "" where nothing stands
-  std::vector<bool> asked;  ///< a cell a column: whether it is left blank
+  Row cells;                ///< the answers, one per column; "" where nothing stands
+  std::vector<bool> asked;  ///< a cell per column: whether it is left blank
   StepNumber step;          ///< that made the row
   /// What is decided by it, "p < 0? yes", and the kind of branch. Where no row of the run is read by a
   /// decision: what led to it.
@@ -50,7 +50,7 @@ struct Exercise {
 /// most >= 2. Without a model the run is its own.
 Exercise exercise_of(std::shared_ptr<const Trace> trace, std::size_t most, const Exercise* model = nullptr);
 
-/// Whether two exercises ask for the same work: as many rows and steps, as many blanks give or take one a
+/// Whether two exercises ask for the same work: as many rows and steps, as many blanks give or take one per
 /// column, the same kinds of branches, each as often give or take one. With `beginnings` what a run does
 /// behind its last row here doesn't count.
 bool are_alike(const Exercise& a, const Exercise& b, bool beginnings = false);

@@ -12,10 +12,10 @@ namespace gradus::worksheet {
 /// Bytes of a PNG for a task's drawing.
 using DrawPng = std::function<std::string(const Task& task)>;
 
-/// A file in Moodle's XML format, to be imported into a question bank: a category a topic, in it an embedded
-/// answers question (Cloze) a student, the table with a field for each blank, the drawing as a file of the
-/// question. Whole numbers are NUMERICAL, all else SHORTANSWER, which takes fractions as 7/12 and as 0.583,
-/// numbers with point and comma, both kinds of minus, and points with and without spaces.
+/// A file in Moodle's XML format, to be imported into a question bank: a category per topic, in it an
+/// embedded answers question (Cloze) per student, the table with a field for each blank, the drawing as a
+/// file of the question. Whole numbers are NUMERICAL, all else SHORTANSWER, which takes fractions as 7/12 and
+/// as 0.583, numbers with point and comma, both kinds of minus, and points with and without spaces.
 ///
 /// Moodle's marks in such a question are whole numbers: they stand to one another as the points of the rows
 /// do, shared evenly by the blanks of a row; what the question counts in a quiz is said there. The drawing is

@@ -1,5 +1,5 @@
 #pragma once
-// Worksheets and their keys as pages for print, a page a task.
+// Worksheets and their keys as pages for print, a page per task.
 
 #include <string>
 

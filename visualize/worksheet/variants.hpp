@@ -44,7 +44,7 @@ struct Variants {
 /// as `search` says. Where whole runs of that length are too few (circles: their radius alone decides), the
 /// beginnings of longer ones serve, too: as many rows of them are asked for as of all others. There is
 /// nothing to search for, and `tried` is 0, where the model's table has fewer than two rows or no blank, or
-/// where no parameter that the method reads has a number to change. Cost: a run an input tried. Throws what
+/// where no parameter that the method reads has a number to change. Cost: a run per input tried. Throws what
 /// the topic throws for the model itself.
 Variants variants_of(const TopicEntry& topic, const Arguments& model, const Search& search);
 

@@ -444,8 +444,8 @@ constexpr Mask opaque_part(const Fragment& f) { return f.opacity == 1 ? f.mask :
 /// Accuracy: weights of opaque fragments are popcount/32, exactly, by the order of each sub-sample; weights
 ///   and what is left add up to 1 within 1e-13, exactly where all are opaque.
 /// Cost: sorting, then an "and not" and a popcount for each fragment; of those that overlap in depth 32 lists
-///   are sorted, one a sub-sample: n log n for n fragments, however they cross. At most 32 parts with
-///   opacity. Memory for parts, and some 600 bytes a fragment that overlaps others.
+///   are sorted, one per sub-sample: n log n for n fragments, however they cross. At most 32 parts with
+///   opacity. Memory for parts, and some 600 bytes per fragment that overlaps others.
 /// Errors: ContractViolation for opacities outside the domain.
 ///
 /// Returns the share that is covered; the rest shows the background.

@@ -165,7 +165,7 @@ struct Opaque {
 
 /// Leaves out of a pixel's list what is behind something that lets nothing through at each of its
 /// sub-samples: in front of it nothing changes, and the rest is to be put in order sooner. Cost: 32
-/// comparisons a fragment.
+/// comparisons per fragment.
 constexpr void leave_out_hidden(std::vector<Fragment>& list) {
   std::array<double, samples> opaque_by;  // at the latest
   opaque_by.fill(std::numeric_limits<double>::infinity());

@@ -47,7 +47,7 @@ struct Sums {
   std::span<Value> values;
   ivec2 size;  ///< columns and rows
 
-  /// Errors: ContractViolation unless there is one value a pixel.
+  /// Errors: ContractViolation unless there is one value per pixel.
   constexpr Sums(std::span<Value> its_values, ivec2 its_size) : values(its_values), size(its_size) {
     expects(size.x >= 0 && size.y >= 0, "a picture of {} x {} pixels", size.x, size.y);
     expects(std::ssize(values) == std::int64_t{size.x} * size.y, "{} sums for {} x {} pixels", values.size(),
@@ -77,7 +77,7 @@ struct Sums {
   }
 };
 
-/// What draws the picture of a pass: render(place, plot) calls plot(pixel, value), at most once a pixel.
+/// What draws the picture of a pass: render(place, plot) calls plot(pixel, value), at most once per pixel.
 template <class Render, class Place, class Value>
 concept Renders = std::invocable<Render&, const Place&, const Sums<Value>&>;
 
@@ -88,7 +88,7 @@ concept Renders = std::invocable<Render&, const Place&, const Sums<Value>&>;
 constexpr double middle(int k, int n) { return (2.0 * k + 1) / (2.0 * n); }
 
 /// The place in every pixel that one of a x b passes looks at, in (0, 1) x (0, 1).
-/// Domain: 0 <= i < a, 0 <= j < b. Accuracy: 1/2 ulp a coordinate; exact where a and b are powers of two.
+/// Domain: 0 <= i < a, 0 <= j < b. Accuracy: 1/2 ulp per coordinate; exact where a and b are powers of two.
 constexpr dvec2 place_of(int i, int j, ivec2 grid) { return {middle(i, grid.x), middle(j, grid.y)}; }
 
 /// How long light falls into the camera.
@@ -201,8 +201,8 @@ constexpr bool allowed(std::int64_t a, std::int64_t b) {
 /// Accuracy: exact with rationals; else at most (a b + 1) u times the mean of |values| off, u = 2^-53 or, as
 ///   floats, 2^-24: a b - 1 additions, each within u of its sum (C. Jeannerod, S. Rump, Improved error bounds
 ///   for inner products, SIAM J. Matrix Anal. Appl. 34(2), 2013, 338-344), and a division. What one pass
-///   with a b samples a pixel gives, added in this order, bit for bit. Bytes as doubles: correctly rounded.
-/// Cost: a b renderings, as many additions a pixel, a division a pixel; no memory but the sums.
+///   with a b samples per pixel gives, added in this order, bit for bit. Bytes as doubles: correctly rounded.
+/// Cost: a b renderings, as many additions per pixel, a division per pixel; no memory but the sums.
 /// Errors: ContractViolation for grids without places or with more than 2^20.
 template <class Value, Renders<dvec2, Value> Render, Observer<Started, PassAdded, Averaged> O = Unobserved>
 constexpr void accumulate(ivec2 grid, Render&& render, const Sums<Value>& sums, O&& observer = {}) {
@@ -235,7 +235,7 @@ constexpr void accumulate(ivec2 grid, Render&& render, const Sums<Value>& sums, 
 /// Steps: Started MomentAdded{n} Averaged, in the order of time.
 /// Accuracy: of the sums as accumulate. What moves with speed v is drawn at n places v length / n apart: each
 ///   stands for its part, and together they are as long as v times the time that the shutter is open.
-/// Cost: n renderings, as many additions a pixel, a division a pixel; no memory but the sums.
+/// Cost: n renderings, as many additions per pixel, a division per pixel; no memory but the sums.
 /// Errors: ContractViolation for other numbers of passes and for shutters that close before they open.
 template <class Value, Renders<double, Value> Render, Observer<Started, MomentAdded, Averaged> O = Unobserved>
 constexpr void motion_blur(int n, const Shutter& shutter, Render&& render, const Sums<Value>& sums,
@@ -268,7 +268,7 @@ constexpr void motion_blur(int n, const Shutter& shutter, Render&& render, const
 /// Steps: Started EyeAdded{n n} Averaged; row by row.
 /// Accuracy: of the sums as accumulate; of the places as seen. A point at depth z becomes n x n points within
 ///   a disc as wide as circle_of_confusion, and one at the depth of focus stays one.
-/// Cost: n n renderings, as many additions a pixel, a division a pixel; no memory but the sums.
+/// Cost: n n renderings, as many additions per pixel, a division per pixel; no memory but the sums.
 /// Errors: ContractViolation for other numbers of eyes, radii and depths.
 template <class Value, Renders<dvec2, Value> Render, Observer<Started, EyeAdded, Averaged> O = Unobserved>
 constexpr void depth_of_field(int n, const Lens& lens, Render&& render, const Sums<Value>& sums,

@@ -24,7 +24,7 @@
 
 namespace gradus::adaptive {
 
-/// Samples a pixel, at most.
+/// Samples per pixel, at most.
 inline constexpr int most_samples = 1024;
 
 // --- Steps -------------------------------------------------------
@@ -64,7 +64,7 @@ struct Coloured {
 struct Contrasted {
   ivec2 pixel;
   double contrast;  ///< the greatest to a neighbour
-  bool refined;     ///< whether it takes a colour a sample
+  bool refined;     ///< whether it takes a colour per sample
 };
 /// Everything was plotted.
 struct Finished {
@@ -94,7 +94,7 @@ inline Order order_of(const Survey& all, const Prepared& t, ivec2 p) {
 
 /// Finds the pixels that take all samples. Of every other pixel it finds the one triangle that all its
 /// samples show.
-/// Steps: (Classified Compared?)*. Accuracy: exact. Cost: three edge functions a pixel of each box.
+/// Steps: (Classified Compared?)*. Accuracy: exact. Cost: three edge functions per pixel of each box.
 template <Observer<Classified, Compared> O = Unobserved>
 void mark_crossed(Survey& all, O&& observer = {}) {
   using enum Cover;
@@ -125,7 +125,7 @@ void mark_crossed(Survey& all, O&& observer = {}) {
 
 /// Tests every triangle at the samples of the pixels that have some.
 /// Steps: Sampled*. Accuracy: coverage exact, depths as of triangle_coverage::Depth; the least
-/// (depth, triangle) is kept. Cost: three edge functions a sample of each box.
+/// (depth, triangle) is kept. Cost: three edge functions per sample of each box.
 template <Observer<Sampled> O = Unobserved>
 void take_samples(Survey& all, O&& observer = {}) {
   for (auto& t : all.triangles()) {
@@ -181,7 +181,7 @@ struct Light {
 };
 
 /// Mixes a pixel of its fragments, each with one colour.
-/// Steps: Coloured*. Cost: a colour a fragment.
+/// Steps: Coloured*. Cost: a colour per fragment.
 template <class Colour, Observer<Coloured> O = Unobserved>
 Light<Value<Colour>> mix(const Survey& all, ivec2 p, std::span<const Fragment> seen, Colour& colour,
                          O&& observer = {}) {
@@ -203,7 +203,7 @@ Light<Value<Colour>> mix(const Survey& all, ivec2 p, std::span<const Fragment> s
 }
 
 /// Mixes a pixel of its samples, each with a colour of its own.
-/// Steps: Coloured*. Cost: a colour a covered sample.
+/// Steps: Coloured*. Cost: a colour per covered sample.
 template <class Colour, Observer<Coloured> O = Unobserved>
 Light<Value<Colour>> blend(const Survey& all, ivec2 p, Colour& colour, O&& observer = {}) {
   Value<Colour> sum{};
@@ -225,7 +225,7 @@ Light<Value<Colour>> blend(const Survey& all, ivec2 p, Colour& colour, O&& obser
   return {sum, double(covered) / N};
 }
 
-/// How many colours are asked for: one a fragment that is seen, and of refined pixels one a covered sample.
+/// How many colours are asked for: one per visible fragment, in refined pixels one per covered sample.
 inline std::int64_t colours_of(const Survey& survey) {
   std::int64_t all = 0;
   for (const ivec2 p : pixels(survey.window())) {
@@ -264,8 +264,8 @@ void plot_fragments(const Survey& all, Colour& colour, Plot& plot, O&& observer 
 /// Draws triangles with all samples in pixels that edges cross, and in which the nearest surface changes;
 /// one look is enough for every other pixel. Colour is asked for once per fragment and pixel.
 /// Source: T. Whitted, An improved illumination model for shaded display, CACM 23(6), 1980, 343-349 (samples
-/// where they are needed); K. Akeley, RealityEngine graphics, SIGGRAPH 1993, 109-116 (coverage and depth a
-/// sample, colour a fragment).
+/// where they are needed); K. Akeley, RealityEngine graphics, SIGGRAPH 1993, 109-116 (coverage and depth per
+/// sample, colour per fragment).
 ///
 /// scene: snapped corners in either direction, with their depths; smaller is nearer, and of equals the
 ///   one that comes first is seen. window: the pixels that are asked for. places: of the samples in a pixel,
@@ -278,8 +278,8 @@ void plot_fragments(const Survey& all, Colour& colour, Plot& plot, O&& observer 
 ///   Triangles without area are not seen.
 /// Steps: (Classified Compared?)* Sampled* Coloured* Finished.
 /// Accuracy: the same bits as each_sample.
-/// Cost: three edge functions a pixel of each box and a sample of a crossed one, a colour a fragment; memory
-///   of 16 bytes a pixel and a sample.
+/// Cost: three edge functions per pixel of each box and per sample of a crossed one, a colour per fragment;
+///   memory of 16 bytes per pixel and sample.
 /// Errors: ContractViolation outside the domain.
 template <class Colour, class Plot,
           Observer<Classified, Compared, Sampled, Coloured, Finished> O = Unobserved>
@@ -292,13 +292,13 @@ void adaptive(std::span<const ScreenTriangle> scene, const Window& window, std::
   // Only there take them all
   all.make_samples();
   take_samples(all, observer);
-  // A colour a fragment seen
+  // A colour per fragment seen
   plot_fragments(all, colour, plot, observer);
   if constexpr (observed<O>) observer(Finished{all.pixels(), all.crossed(), all.tests(), colours_of(all)});
 }
 
 /// The textbook's way: all samples in every pixel.
-/// Steps: Sampled* Coloured* Finished. The rest is as for adaptive; memory of 16 bytes a sample.
+/// Steps: Sampled* Coloured* Finished. The rest is as for adaptive; memory of 16 bytes per sample.
 template <class Colour, class Plot, Observer<Sampled, Coloured, Finished> O = Unobserved>
 void each_sample(std::span<const ScreenTriangle> scene, const Window& window, std::span<const ivec2> places,
                  Colour&& colour, Plot&& plot, O&& observer = {}) {
@@ -308,7 +308,7 @@ void each_sample(std::span<const ScreenTriangle> scene, const Window& window, st
   all.cross_all();
   all.make_samples();
   take_samples(all, observer);
-  // A colour a fragment seen
+  // A colour per fragment seen
   plot_fragments(all, colour, plot, observer);
   if constexpr (observed<O>) observer(Finished{all.pixels(), all.crossed(), all.tests(), colours_of(all)});
 }
@@ -357,9 +357,9 @@ Picture<Value<Colour>> picture(const Survey& all, Colour& colour, O&& observer =
 ///   refined. The rest is as for adaptive.
 ///
 /// Steps: (Classified Compared?)* Sampled* Coloured* (Contrasted Coloured*)* Finished.
-/// Accuracy: the bits of adaptive where no contrast is above the threshold, those of a colour a sample where
-///   one is; contrasts are those of adaptive's picture.
-/// Cost: that of adaptive, and a colour a sample of a refined pixel.
+/// Accuracy: the bits of adaptive where no contrast is above the threshold, those of a colour per sample
+///   where one is; contrasts are those of adaptive's picture.
+/// Cost: that of adaptive, and a colour per sample of a refined pixel.
 /// Errors: ContractViolation outside the domain.
 template <class Contrast, class Colour, class Plot,
           Observer<Classified, Compared, Sampled, Coloured, Contrasted, Finished> O = Unobserved>
@@ -380,7 +380,7 @@ void adaptive_contrast(std::span<const ScreenTriangle> scene, const Window& wind
     bool& refined = all[p].refined;
     refined = d > threshold;
     if constexpr (observed<O>) observer(Contrasted{p, d, refined});
-    // Then a colour a sample
+    // Then a colour per sample
     if (refined) {
       light = blend(all, p, colour, observer);
     }

@@ -95,7 +95,7 @@ struct Sample {
 struct Pixel {
   int front = nobody;     ///< the nearest triangle that covers it whole, while it is not crossed
   bool crossed = false;   ///< takes all samples
-  bool refined = false;   ///< takes a colour a sample
+  bool refined = false;   ///< takes a colour per sample
   std::size_t first = 0;  ///< of its samples
 };
 

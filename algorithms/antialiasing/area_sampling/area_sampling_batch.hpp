@@ -34,7 +34,7 @@ class AreaScan {
   /// Accuracy: exact. Areas are sums in double with a bound of their error; where that bound doesn't tell
   ///   the byte, fractions of 128 bits and as many digits as it takes do.
   /// Cost: for each row and edge that crosses it some ns and some for each pixel on the edge; what lies
-  ///   between edges is filled. Memory of some 80 bytes an edge and 9 a column.
+  ///   between edges is filled. Memory of some 80 bytes per edge and 9 per column.
   /// Errors: ContractViolation for corners that lie too far out.
   void draw(Raster<std::uint8_t>& picture, std::span<const Ring> rings);
   void draw(Raster<std::uint8_t>& picture, Ring ring) { draw(picture, std::span<const Ring>(&ring, 1)); }

@@ -123,7 +123,7 @@ inline Vertex crossing(const Line& line, const Border& border) {
 ///
 /// Domain: any closed polygon; parts of a concave one may hang together along the border, without area.
 /// Accuracy: exact.
-/// Cost: two comparisons a corner, a division a cut.
+/// Cost: two comparisons per corner, a division per cut.
 /// Errors: none.
 inline void cut(const Polygon& polygon, const Border& border, Polygon& kept) {
   kept.clear();
@@ -168,7 +168,7 @@ inline Columns columns(const Polygon& polygon, const Window& window) {
 // --- Areas in a scalar -------------------------------------------
 
 /// A corner in pixels, from the upper left corner of a pixel on: from 0 to 1 for what lies in it.
-/// Accuracy: 1.01 2^-54 a coordinate in the pixel; exact in rationals.
+/// Accuracy: 1.01 2^-54 per coordinate in the pixel; exact in rationals.
 template <class T>
 glm::vec<2, T> place_in(const Vertex& v, ivec2 pixel) {
   const ivec2 from = v.whole - pixel * subpixels;
@@ -222,7 +222,7 @@ T area_in(const Polygon& polygon, ivec2 pixel) {
 }
 
 /// How far off the area of an outline in one pixel may be in double. Its corners lie 1.01 2^-54 off, which is
-/// worth that times the way round it, at most 2 a corner; each triangle of the fan is off by 7 roundings of
+/// worth that times the way round it, at most 2 per corner; each triangle of the fan is off by 7 roundings of
 /// at most 1, and the sum of k of them is rounded from at most k.
 constexpr double area_error(std::size_t corners) {
   const double m = static_cast<double>(corners);

@@ -245,7 +245,7 @@ void expect_outlines(std::span<const Fragment<T>> fragments) {
 ///   not behind altogether, until nothing is left.
 /// Accuracy: exact in rationals: the areas add up to that of the union. In double 1e-12 for planes that
 ///   differ by a thousandth of their depths at some corner of the pixel; nearer ones may change places.
-/// Cost: at most n - 1 others for each of n fragments; each splits a piece at most once an edge.
+/// Cost: at most n - 1 others for each of n fragments; each splits a piece at most once per edge.
 /// Errors: ContractViolation for an outline of fewer than three corners.
 ///
 /// Returns the sum of the areas that are seen.

@@ -181,7 +181,7 @@ constexpr dvec2 in_cell(ivec2 cell, dvec2 u, ivec2 grid) { return (dvec2(cell) +
 ///
 /// Domain: every count. Steps: Cut Placed* Finished, a Placed each sample.
 /// Accuracy: each is the nearest double to the cell's middle.
-/// Cost: two divisions a sample; no memory. Errors: expects 1 to most_samples.
+/// Cost: two divisions per sample; no memory. Errors: expects 1 to most_samples.
 template <Observer<Cut, Placed, Finished> O = Unobserved>
 constexpr void regular(std::span<dvec2> samples, O&& observer = {}) {
   const int n = count_of(samples);
@@ -207,7 +207,7 @@ constexpr void regular(std::span<dvec2> samples, O&& observer = {}) {
 /// Domain: every count. Steps: Cut Placed* Finished; the one cell is the pixel.
 /// Accuracy: strictly inside the pixel; each mean over the pixel has the expected value of a single sample,
 ///   and an error that shrinks as 1/sqrt(count).
-/// Cost: one random number a sample. Errors: expects 1 to most_samples.
+/// Cost: one random number per sample. Errors: expects 1 to most_samples.
 template <Observer<Cut, Placed, Finished> O = Unobserved>
 constexpr void uniform(std::span<dvec2> samples, Random random, O&& observer = {}) {
   const int n = count_of(samples);
@@ -231,7 +231,7 @@ constexpr void uniform(std::span<dvec2> samples, Random random, O&& observer = {
 /// Steps: Cut Placed* Finished, a Placed each cell.
 /// Accuracy: cell (i, j) of a x b has exactly one sample, and i < a·x < i + 1, j < b·y < j + 1 in exact
 ///   arithmetic. Straight edges, RMSE: .0453, .0160, .0057 with 16, 64, 256 samples, as count^-0.75.
-/// Cost: one random number and two divisions a sample; no memory. Errors: expects 1 to most_samples.
+/// Cost: one random number and two divisions per sample; no memory. Errors: expects 1 to most_samples.
 template <Observer<Cut, Placed, Finished> O = Unobserved>
 constexpr void jittered(std::span<dvec2> samples, Random random, O&& observer = {}) {
   const int n = count_of(samples);
@@ -258,7 +258,7 @@ constexpr void jittered(std::span<dvec2> samples, Random random, O&& observer = 
 ///
 /// Domain: every count. Steps: Cut Swapped* Placed* Finished; one Swapped less than samples.
 /// Accuracy: each column and each row has exactly one sample, strictly inside. All orders are equally likely.
-/// Cost: two random numbers and two divisions a sample; no memory. Errors: expects 1 to most_samples.
+/// Cost: two random numbers and two divisions per sample; no memory. Errors: expects 1 to most_samples.
 template <Observer<Cut, Swapped, Placed, Finished> O = Unobserved>
 constexpr void n_rooks(std::span<dvec2> samples, Random random, O&& observer = {}) {
   const int n = count_of(samples);
@@ -302,7 +302,7 @@ constexpr void n_rooks(std::span<dvec2> samples, Random random, O&& observer = {
 /// Accuracy: exactly one sample in each of N rows, at most one in each of m·n columns, at most one in each
 ///   of the coarse cells; exactly one each where m·n = N. All strictly inside. Straight edges, RMSE: .0368,
 ///   .0129, .0045 with 16, 64, 256 samples.
-/// Cost: one random number, two permutations and two divisions a sample; no memory.
+/// Cost: one random number, two permutations and two divisions per sample; no memory.
 /// Errors: expects 1 to most_samples.
 template <Observer<Cut, Placed, Finished> O = Unobserved>
 constexpr void correlated_multi_jittered(std::span<dvec2> samples, Random random, O&& observer = {}) {
@@ -315,9 +315,9 @@ constexpr void correlated_multi_jittered(std::span<dvec2> samples, Random random
   if constexpr (observed<O>) observer(Cut{{m, n}});
   int row = 0;
   for (dvec2& sample : samples) {
-    // m rows a strip: any column
+    // m rows per strip: any column
     const int i = columns(row % m);
-    // One of its n slots a strip
+    // One of its n slots per strip
     const int j = slots(row / m);
     ivec2 cell{i * n + j, row};
     const dvec2 u = offsets(random);
@@ -348,7 +348,7 @@ constexpr ivec2 sobol_cell(int number, int levels) {
 
 /// Turns a whole number of `levels` bits: each bit by the coin of the node that the bits before it lead to.
 /// Source: A. Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", MCQMC 1995, 299-317.
-/// Cost: a coin a bit.
+/// Cost: a coin per bit.
 constexpr int turned(int number, int levels, Coins& coins) {
   std::uint32_t node = 1;
   int result = 0;
@@ -370,7 +370,7 @@ constexpr int turned(int number, int levels, Coins& coins) {
 ///
 /// Domain: counts that are powers of two. Steps: Cut (Scrambled Placed)* Finished.
 /// Accuracy: exactly one sample in each of those boxes, strictly inside.
-/// Cost: 2 m coins and two divisions a sample, one random number and up to 2 m more where 2^m > 64; no
+/// Cost: 2 m coins and two divisions per sample, one random number and up to 2 m more where 2^m > 64; no
 /// memory. Errors: expects a power of two, at most most_samples.
 template <Observer<Cut, Scrambled, Placed, Finished> O = Unobserved>
 constexpr void sobol(std::span<dvec2> samples, Random random, O&& observer = {}) {
@@ -433,7 +433,7 @@ using ColourOf = std::remove_cvref_t<std::invoke_result_t<ColourAt&, Place>>;
 /// Domain: any pixel; a place is rounded once, in very wide pictures even to the pixel's far border.
 /// Steps: Looked*, one each sample.
 /// Accuracy: that of the sum: count·2^-53 of the largest colour; exact for colours 0 and 1.
-/// Cost: one call of colour_at a sample. Errors: expects a sample.
+/// Cost: one call of colour_at per sample. Errors: expects a sample.
 template <class ColourAt, class Colour = ColourOf<ColourAt, dvec2>, class O = Unobserved>
 constexpr Colour sample_pixel(ivec2 p, std::span<const dvec2> samples, ColourAt&& colour_at,
                               O&& observer = {}) {
@@ -455,7 +455,7 @@ constexpr Colour sample_pixel(ivec2 p, std::span<const dvec2> samples, ColourAt&
 /// A picture: every pixel by a pattern of its own.
 ///
 /// picture: which pixels. samples: room for those of one pixel; its size is their count. seed: of all
-///   patterns. colour_at: as for sample_pixel. plot(ivec2, colour) is called once a pixel, row by row.
+///   patterns. colour_at: as for sample_pixel. plot(ivec2, colour) is called once per pixel, row by row.
 ///
 /// Domain: any window, an empty one plots nothing. Accuracy, Errors: those of the pattern and sample_pixel.
 /// Cost: theirs a pixel; no memory.

@@ -237,7 +237,7 @@ inline void expect_area(const Area& area, double radius) {
   expects(radius <= 0x1p500 && std::max(width, height) * 1.5 <= radius * most_cells,
           "a radius above {} of the area's longer side, not {}", 1.5 / most_cells, radius);
   expects(!area.wraps || 2 * radius <= std::min(width, height),
-          "a tile of at least two radii a side, not {} x {} with {}", width, height, radius);
+          "a tile of at least two radii per side, not {} x {} with {}", width, height, radius);
 }
 
 // --- The methods -------------------------------------------------
@@ -354,7 +354,7 @@ void bridson(const Area& area, double radius, int k, Random random, Plot&& plot,
 template <Observer<Started, Compared, Taken, Finished> O = Unobserved>
 double best_candidate(std::span<dvec2> samples, int times, Random random, O&& observer = {}) {
   expects(samples.size() <= 4096, "at most 4096 samples, not {}", samples.size());
-  expects(times >= 1, "at least 1 candidate a sample, not {}", times);
+  expects(times >= 1, "at least 1 candidate per sample, not {}", times);
   double least = infinite;
   if constexpr (observed<O>) observer(Started{tile, 0, ivec2(0)});
   for (dvec2& s : samples) {

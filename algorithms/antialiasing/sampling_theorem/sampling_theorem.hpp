@@ -70,7 +70,7 @@ inline SinCos sin_cos_half_turns(double x) { return sin_cos_degrees(180 * std::r
 ///   as many are taken as it holds.
 ///
 /// Domain: any signal; no samples at all, too.
-/// Steps: Sampled once a sample, in order.
+/// Steps: Sampled once per sample, in order.
 /// Accuracy: sample k is taken at k / fs, rounded once; exact in Exact.
 /// Cost: a call of `signal` a sample; no memory.
 /// Errors: a rate of 0 or less, or NaN, is refused.
@@ -158,10 +158,10 @@ struct Dirichlet {
 ///   other whole places.
 ///
 /// Domain: every finite x; beyond a few periods it is the place itself that is rounded.
-/// Steps: KernelAdded once a sample, in order.
+/// Steps: KernelAdded once per sample, in order.
 /// Accuracy: with Dirichlet and x in [0, n] every periodic signal of frequencies below half the rate comes
 ///   back within n 2^-48 times its largest possible size; one beyond comes back as its alias.
-/// Cost: a kernel a sample.
+/// Cost: a kernel per sample.
 /// Errors: no samples are refused.
 template <class Kernel, Observer<KernelAdded> O = Unobserved>
 double reconstruct(std::span<const double> samples, double x, const Kernel& kernel, O&& observer = {}) {
@@ -195,15 +195,15 @@ inline double alias_of(std::int64_t n, double f, double fs) {
 }
 
 /// How fast a wheel seems to turn on film, in revolutions a second; a negative speed is backwards. The spokes
-/// look alike, so the picture repeats `spokes` times a revolution, and the eye takes each for the nearest one
-/// of the frame before: f - (F/n) round(f n / F). Source: the sampling theorem in time, Shannon 1949; see
+/// look alike, so the picture repeats `spokes` times per revolution, and the eye takes each for the nearest
+/// one of the frame before: f - (F/n) round(f n / F). Source: the sampling theorem in time, Shannon 1949; see
 /// errata E001-51 for the rule of half the frame rate.
 ///
 /// f: revolutions a second, of either sign. fps: frames a second, above 0. n: how many spokes look alike,
 ///   from 1 on; 1 for a wheel with a mark.
 ///
 /// Domain: everything finite; of doubles, fps from 2^-900 to 2^900 and n up to 2^53. Where the spokes move
-///   half their distance a frame, both ways are equally near: forwards is told.
+///   half their distance per frame, both ways are equally near: forwards is told.
 /// Steps: none.
 /// Accuracy: exact in Exact; in doubles the direction is always right and the speed within 2 units of 2^-53
 ///   of fps / n.
@@ -213,17 +213,18 @@ template <class T>
 constexpr T apparent_speed(const T& f, const T& fps, std::int64_t n) {
   expects(fps > T(0), "a frame rate above 0");
   expects(n >= 1, "a spoke or more");
-  // n times a turn it looks alike
+  // n times per turn it looks alike
   return alias_of(n, f, fps) / T(n);
 }
 
 /// A wheel on film: how far it has turned in each frame, and how far it seems to have.
 ///
-/// f, fps, n: as for apparent_speed. seen: the caller's; a number a frame, in revolutions.
+/// f, fps, n: as for apparent_speed. seen: the caller's; a number per frame, in revolutions.
 ///
 /// Domain: as apparent_speed. Where `turn` and `seen` differ it is by whole spokes, so both are the same
-/// picture. Steps: FrameTaken once a frame, in order. Accuracy: exact in Exact; in doubles as apparent_speed,
-/// and two roundings. Cost: one speed, and a division and two products a frame. Errors: as apparent_speed.
+/// picture. Steps: FrameTaken once per frame, in order. Accuracy: exact in Exact; in doubles as
+/// apparent_speed, and two roundings. Cost: one speed, a division and two products per frame. Errors: as
+/// apparent_speed.
 template <class T, Observer<FrameTaken<T>> O = Unobserved>
 constexpr void film_wheel(const T& f, const T& fps, std::int64_t n, std::span<T> seen, O&& observer = {}) {
   // Spokes look like the nearest

@@ -49,7 +49,7 @@ constexpr bool at_least_twice(const T& f, const T& fs, O&& observer = {}) {
 /// f, fps: as for apparent_speed; spokes are not asked for.
 ///
 /// Domain: as apparent_speed. Steps: DirectionTold.
-/// Accuracy: right for one spoke up to a revolution a frame, else by chance.
+/// Accuracy: right for one spoke up to a revolution per frame, else by chance.
 /// Cost: a comparison. Errors: none.
 template <class T, Observer<DirectionTold<T>> O = Unobserved>
 constexpr bool half_frame_rate(const T& f, const T& fps, O&& observer = {}) {

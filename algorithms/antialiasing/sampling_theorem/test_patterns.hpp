@@ -18,10 +18,10 @@ namespace gradus::sampling_theorem {
 inline double wave(double x) { return 0.5 + 0.5 * sin_cos_half_turns(x).cos; }
 inline bool is_even(double whole) { return std::remainder(whole, 2) == 0; }
 
-/// Rings that grow finer outwards: at the distance r from the centre there are r / distance cycles a pixel.
-/// At r = distance/2 they pass half the rate of one sample a pixel; `distance` pixels from the centre, along
-/// both axes, samples show centres that are not there. Source: Fresnel 1816 (the plate); for test pictures,
-/// Drewery 1979, BBC Research 1979/23.
+/// Rings that grow finer outwards: at the distance r from the centre there are r / distance cycles per pixel.
+/// At r = distance/2 they pass half the rate of one sample per pixel; `distance` pixels from the centre,
+/// along both axes, samples show centres that are not there. Source: Fresnel 1816 (the plate); for test
+/// pictures, Drewery 1979, BBC Research 1979/23.
 struct ZonePlate {
   dvec2 centre;
   double distance;  ///< above 0
@@ -32,7 +32,7 @@ struct ZonePlate {
     auto r2 = r.x * r.x + r.y * r.y;
     return wave(r2 / distance);
   }
-  /// Cycles a pixel at p, straight away from the centre.
+  /// Cycles per pixel at p, straight away from the centre.
   double frequency(dvec2 p) const {
     const dvec2 way = p - centre;
     return gradus::sqrt(way.x * way.x + way.y * way.y) / distance;
@@ -94,7 +94,7 @@ struct HalfPlane {
   double operator()(dvec2 p) const { return p.y > offset + slope * p.x ? 0 : 1; }
 };
 
-/// A wave of these many cycles a pixel along each axis.
+/// A wave of these many cycles per pixel along each axis.
 struct Grating {
   dvec2 frequency;
 
@@ -120,7 +120,7 @@ struct Grating {
 /// Errors: n below 1 is refused.
 template <class Pattern>
 constexpr double pixel_of(const Pattern& pattern, ivec2 p, int n) {
-  expects(n >= 1, "a sample a pixel or more");
+  expects(n >= 1, "a sample per pixel or more");
   const double N = n;
   double sum = 0;
   for (int j = 0; j < n; ++j) {
@@ -134,9 +134,9 @@ constexpr double pixel_of(const Pattern& pattern, ivec2 p, int n) {
   return sum / (N * N);
 }
 
-/// A picture of a pattern, n x n samples a pixel.
+/// A picture of a pattern, n x n samples per pixel.
 ///
-/// pattern, n: as for pixel_of. size: columns and rows. plot(ivec2, double): called once a pixel, row by row.
+/// pattern, n: as for pixel_of. size: columns and rows. plot(ivec2, double): once per pixel, row by row.
 ///
 /// Domain: no pixels, too. Steps, accuracy, cost of a pixel and errors: as pixel_of.
 template <class Pattern, class Plot>

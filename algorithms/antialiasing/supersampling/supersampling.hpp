@@ -35,7 +35,7 @@ constexpr double radius_of(Filter filter) {
   return filter == Filter::box ? 0.5 : filter == Filter::tent ? 1.0 : 1.5;
 }
 
-/// The most samples a pixel, along each axis.
+/// The most samples per pixel, along each axis.
 inline constexpr int most = 64;
 /// How far a pixel may lie from 0, in pixels.
 inline constexpr int farthest = 1 << 20;
@@ -86,14 +86,14 @@ struct Weighed {
   T weight;
 };
 
-/// The cells that a pixel's filter takes, row by row, with the weights of a filter for n x n samples a pixel:
-/// the product of those of both axes. Weights of box and tent are whole numbers, so that they add up exactly.
+/// The cells that a pixel's filter takes, row by row, with the weights of a filter for n x n samples per
+/// pixel: the product of those of both axes. Weights of box and tent are whole numbers and add up exactly.
 /// Domain: 1 <= n <= most.
 /// Accuracy: box and tent exact, Gaussian within 31 u of each weight, u = 2^-53.
 template <class T>
 struct Kernel {
   Filter filter;
-  int n;      ///< cells a pixel
+  int n;      ///< cells per pixel
   int reach;  ///< cells beyond the pixel, on each side
   std::vector<Weighed<T>> cells;
   T total{0};  ///< of all weights
@@ -296,15 +296,15 @@ Taken draw(const Window& window, const Kernel<T>& kernel, const Scene& scene, Pl
   return band.taken();
 }
 
-/// Asks the scene at n x n places a pixel and plots the filtered values. Neighbouring pixels share the
+/// Asks the scene at n x n places per pixel and plots the filtered values. Neighbouring pixels share the
 /// samples that a filter wider than a pixel takes from beyond it: each place is asked once, and only the rows
 /// of samples that a row of pixels needs are kept. Source: F. C. Crow, The aliasing problem in
 /// computer-generated shaded images, CACM 20(11), 1977, 799-805; filters: D. P. Mitchell and A. N. Netravali,
 /// Reconstruction filters in computer graphics, 1988, 221-228.
 ///
-/// window: the pixels that are asked for. n: samples a pixel along each axis. filter: see Filter.
+/// window: the pixels that are asked for. n: samples per pixel along each axis. filter: see Filter.
 ///   scene(dvec2): the light at any place, in pixels; a number, or a vector of numbers that are
-///   proportional to light. plot(ivec2, value): called once a pixel, row by row.
+///   proportional to light. plot(ivec2, value): called once per pixel, row by row.
 ///
 /// Domain: 1 <= n <= most, the window at most `farthest` pixels from 0; an empty one plots nothing. Places
 ///   reach up to 3/2 pixels beyond the window.
@@ -313,7 +313,7 @@ Taken draw(const Window& window, const Kernel<T>& kernel, const Scene& scene, Pl
 /// Accuracy: of values 0 and 1, as of a shape, with box and tent: the exact mean, rounded once. Else within
 ///   (cells of the filter + 4) eps of the largest value. Against the exact area of a half-plane the box is
 ///   off by at most 1/n, and by nothing on average.
-/// Cost: n^2 samples of the scene a pixel; each pixel n^2 (box), 4 n^2 (tent) or 9 n^2 (Gaussian) sums.
+/// Cost: n^2 samples of the scene per pixel; each pixel n^2 (box), 4 n^2 (tent) or 9 n^2 (Gaussian) sums.
 ///   Memory: n, 2 n or 3 n rows of samples (cost_of_band).
 /// Errors: ContractViolation outside the domain.
 template <class Scene, class Plot, class Value = ValueOf<Scene>,
@@ -327,8 +327,8 @@ Taken supersample(const Window& window, int n, Filter filter, const Scene& scene
 
 // --- The whole larger picture ------------------------------------
 
-/// The textbook's three steps: draws a picture n times as wide and as high, filters it, and keeps one value a
-/// pixel. The values are those of `supersample`, bit for bit; the memory is n x n as large.
+/// The textbook's three steps: draws a picture n times as wide and as high, filters it, and keeps one value
+/// per pixel. The values are those of `supersample`, bit for bit; the memory is n x n as large.
 /// Source: as for supersample.
 ///
 /// window, n, filter, scene, plot: as for supersample.

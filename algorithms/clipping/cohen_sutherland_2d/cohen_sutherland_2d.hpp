@@ -121,7 +121,7 @@ End<T> cut(const End<T>& a, const End<T>& b, Border border, const Rectangle<T>& 
 ///   the nearest one or its neighbour, and lines that pass near a corner may be decided wrongly. The number
 ///   of cuts is limited to 4, what exact arithmetic needs at most: rounding can send an end to and fro
 ///   between two borders.
-/// Cost: four comparisons an end, one division a cut.
+/// Cost: four comparisons per end, one division per cut.
 /// Errors: ContractViolation for coordinates that are not finite and windows that are inside out.
 template <class T = double, Observer<Classified<T>, Cut<T>, Accepted<T>, Rejected> O = Unobserved>
 std::optional<Segment<2, T>> cut_of_a_cut(Segment<2, T> line, const Rectangle<T>& window,
@@ -181,7 +181,7 @@ End<T> cut(const Segment<2, T>& line, Border border, const Rectangle<T>& window)
 /// Accuracy: accepted exactly when the segment and the window have a point in common. The coordinate of the
 ///   border is copied, the other one is the nearest number to that of the exact point (1/2 ulp). So, bit for
 ///   bit, clipping again changes nothing, and (b, a) gives the reverse of (a, b).
-/// Cost: as cut_of_a_cut, and some 15 ns a cut; in doubt some 1 us a cut.
+/// Cost: as cut_of_a_cut, and some 15 ns per cut; in doubt some 1 us per cut.
 /// Errors: as cut_of_a_cut.
 template <class T = double, Observer<Classified<T>, Cut<T>, Accepted<T>, Rejected> O = Unobserved>
 std::optional<Segment<2, T>> correctly_rounded(Segment<2, T> line, const Rectangle<T>& window,

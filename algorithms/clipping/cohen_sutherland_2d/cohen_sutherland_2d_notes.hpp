@@ -32,7 +32,7 @@ struct GaveUp {
 ///   (5,5)-(-5,5) goes round for ever.
 /// Steps: Classified Recoded* (Accepted | Rejected | GaveUp)
 /// Accuracy: none.
-/// Cost: one division a round.
+/// Cost: one division per round.
 template <class T = double, Observer<Classified<T>, Recoded<T>, Accepted<T>, Rejected, GaveUp> O = Unobserved>
 std::optional<Segment<2, T>> codes_only(Segment<2, T> line, const Rectangle<T>& window,
                                         const Order& order = usual_order<2>(), int rounds = 8,
@@ -75,7 +75,7 @@ std::optional<Segment<2, T>> codes_only(Segment<2, T> line, const Rectangle<T>& 
 /// Steps: Classified (Accepted | Rejected); Rejected.common has the bits of both ends
 /// Accuracy: none. In [0,10]^2 (10,-5)-(5,5) is kept whole, where (7.5,0)-(5,5) is right; of (15,2)-(5,8)
 ///   nothing is left, where (10,5)-(5,8) is right.
-/// Cost: four comparisons an end.
+/// Cost: four comparisons per end.
 /// Errors: as cut_of_a_cut.
 template <class T = double, Observer<Classified<T>, Accepted<T>, Rejected> O = Unobserved>
 std::optional<Segment<2, T>> whole_or_nothing(Segment<2, T> line, const Rectangle<T>& window,

@@ -145,7 +145,7 @@ constexpr End<N, T> cut(const End<N, T>& a, const End<N, T>& b, Border face, con
 ///   lines that pass near an edge may be decided wrongly; the measured sizes are in
 ///   docs/topics/clipping/cohen_sutherland_3d.md. The number of cuts is limited to 6, what exact arithmetic
 ///   needs at most: rounding can put an end back outside a face that it was cut at.
-/// Cost: six comparisons an end, one division a cut.
+/// Cost: six comparisons per end, one division per cut.
 /// Errors: ContractViolation for coordinates that are not finite, boxes that are inside out, and an order
 ///   that leaves out a face.
 template <int N = 3, class T = double, class Region = AxisBox<N, T>,
@@ -212,7 +212,7 @@ End<3, T> end_at(const Segment<3, T>& line, Border face, const AxisBox<3, T>& bo
 ///   (1/2 ulp). An end that would round to the homogeneous (0, 0, 0, 0), which is no point, is divided by its
 ///   w: the nearest doubles to x / w, y / w, z / w, and 1; in float, the floats nearest to those. So, bit for
 ///   bit, clipping again changes nothing, and (b, a) gives the reverse of (a, b).
-/// Cost: as cut_of_a_cut, and some 40 ns a cut, in the view volume some 150 ns; in doubt some us a cut.
+/// Cost: as cut_of_a_cut, and some 40 ns per cut, in the view volume some 150 ns; in doubt some us per cut.
 /// Errors: as cut_of_a_cut.
 template <int N = 3, class T = double, class Region = AxisBox<N, T>,
           Observer<Classified<N, T>, Cut<N, T>, Accepted<N, T>, Rejected> O = Unobserved>
@@ -231,7 +231,7 @@ std::optional<Segment<N, T>> correctly_rounded(Segment<N, T> line, const Region&
       if constexpr (observed<O>) observer(Accepted<N, T>{{a.at, b.at}});
       return Segment{a.at, b.at};
     }
-    // One cut a face is enough
+    // One cut per face is enough
     if (++cuts > 6) break;
     // An end that is outside moves
     // to a face on the given line

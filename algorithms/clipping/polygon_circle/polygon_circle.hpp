@@ -250,7 +250,7 @@ Ring<T> closed(Ring<T> ring) {
 /// Domain: all finite coordinates and radii. Corners on the circle, edges that touch it, a polygon round the
 ///   circle or inside: all are decided exactly. What has no area, a tangent's point or radius 0, gives
 ///   nothing. A polygon that crosses itself is refused or gives rings without meaning (see meeting_edges).
-/// Steps: Oriented Tested* Sorted ((Entered Walked* Bent)+ Closed)* Finished; Tested once an edge, Closed
+/// Steps: Oriented Tested* Sorted ((Entered Walked* Bent)+ Closed)* Finished; Tested once per edge, Closed
 ///   once for every ring that has a passage.
 /// Accuracy: which edges are cut, how often, and the order round the circle are exact. Corners inside or on
 ///   the circle are copied; cut ones lie within 0.63 ulp of max(|coordinate|, radius). The area of what the
@@ -397,7 +397,7 @@ double area(const Region<T>& region) {
 /// Domain: any region.
 /// Accuracy: the chords' sagitta is at most the tolerance and 4 ulp of |centre| + r, and points lie within 4
 ///   ulp of that beside the circle. The ends of arcs are copied.
-/// Cost: 0.2 us a point, about 2.2 sqrt(r / tolerance) points for a whole circle.
+/// Cost: 0.2 us per point, about 2.2 sqrt(r / tolerance) points for a whole circle.
 /// Errors: ContractViolation when the tolerance is NaN or less than 2^-40 r.
 template <std::floating_point T>
 std::vector<std::vector<glm::vec<2, T>>> flatten(const Region<T>& region, double tolerance) {

@@ -39,7 +39,7 @@ dvec2 first_of(const Segment<2, double>& edge, const Walk<T>& walk) {
 /// polygon, circle: as for arcs.
 ///
 /// Domain: right for polygons inside the circle.
-/// Steps: Oriented (Looked Kept*)* Joined, Looked once an edge.
+/// Steps: Oriented (Looked Kept*)* Joined, Looked once per edge.
 /// Accuracy: none: the square round the unit circle gives area 0 for pi, the square [0,2]^2 0 for pi/4.
 /// Cost: O(n).
 /// Errors: as arcs.

@@ -72,7 +72,7 @@ VertexTested<T> tested(const PlainBorder<T>& border, std::span<const Vertex<T>> 
 /// Steps: (VertexTested EdgeCut? VertexKept?)* BorderPassed
 /// Accuracy: a cut of a cut adds up the rounding errors of both: measured in the benchmark beside the exact
 ///   form. Where an edge passes a corner closely, it may be cut on the wrong side.
-/// Cost: one test a vertex, one division a cut.
+/// Cost: one test per vertex, one division per cut.
 /// Errors: none.
 template <class T, Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPassed<T>> O = Unobserved>
 std::vector<Vertex<T>> cut_of_a_cut(std::span<const Vertex<T>> polygon, const PlainBorder<T>& border,

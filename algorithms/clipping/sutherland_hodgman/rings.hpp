@@ -24,7 +24,7 @@ const glm::vec<2, T>& place_of(const Vertex<T>& vertex) {
   return vertex.at;
 }
 
-/// The sign of twice the area of a ring of points or vertices. Exact. Domain: finite. Cost: a few ns a
+/// The sign of twice the area of a ring of points or vertices. Exact. Domain: finite. Cost: a few ns per
 /// vertex, in doubt 60.
 template <class P>
 int area_sign(std::span<const P> ring) {

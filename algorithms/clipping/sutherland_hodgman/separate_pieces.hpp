@@ -226,7 +226,7 @@ Scene<T, Window> scene_of(const Rings<T>& rings, const Window& window) {
 /// Cuts all rings at one border and keeps what lies inside, as rings of its own.
 ///
 /// Steps: RingTested* CrossingsOrdered CrossingsJoined* BorderSplit, RingTested once for every ring.
-/// Cost: a test a vertex; O(k log k) for k crossings.
+/// Cost: a test per vertex; O(k log k) for k crossings.
 template <class T, class Window,
           Observer<RingTested<T>, CrossingsOrdered<T>, CrossingsJoined<T>, BorderSplit<T>> O = Unobserved>
 void split_at(int border, std::vector<Ring<T>>& rings, const Scene<T, Window>& scene, O&& observer = {}) {
@@ -360,7 +360,7 @@ std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window
 ///   common. A part so small that its vertices round to fewer than three places is left out.
 /// Cost: to know whether rings touch, when Rings are made: for n vertices O(n) where one goes round a point
 ///   as convex polygons and stars do, or where boxes round runs of edges mostly lie apart; else, and where
-///   they do touch, O(n log n), with O(n^2) bytes moved at worst (see touching_rings.hpp). Then one test a
+///   they do touch, O(n log n), with O(n^2) bytes moved at worst (see touching_rings.hpp). Then one test per
 ///   vertex and border; O(k log k) for k crossings on one border; O(h n) for h holes that no border met.
 /// Errors: ContractViolation for coordinates that are not finite and a window that is inside out.
 template <class T, class Window,

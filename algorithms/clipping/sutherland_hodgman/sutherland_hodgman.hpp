@@ -126,7 +126,7 @@ VertexTested<T> tested(const ExactBorder<T, Window>& border, std::span<const Ver
 /// Steps: (VertexTested EdgeCut? VertexKept?)* BorderPassed, VertexTested once for every vertex. The edge is
 ///   cut after its second end was tested, and before that end is kept.
 /// Accuracy: exact decisions; a made vertex is the nearest to the exact one.
-/// Cost: one test a vertex, one division a cut.
+/// Cost: one test per vertex, one division per cut.
 /// Errors: none.
 template <class T, class Window,
           Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPassed<T>> O = Unobserved>
@@ -241,7 +241,7 @@ std::vector<int> all_borders(const Window& window) {
 ///   where edge and border cross, the coordinate across a rectangle's border and a corner of the window
 ///   copied. At a rectangle clipping twice changes nothing, bit for bit. No made vertex repeats its
 ///   neighbour.
-/// Cost: one test a vertex and border, one division a cut.
+/// Cost: one test per vertex and border, one division per cut.
 /// Errors: ContractViolation for coordinates that are not finite and a window that is inside out.
 template <class T, class Window,
           Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPassed<T>> O = Unobserved>

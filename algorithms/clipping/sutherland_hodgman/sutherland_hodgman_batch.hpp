@@ -37,7 +37,7 @@ struct BatchCount {
 ///
 /// Domain: finite coordinates of any size; at most 2^32 - 1 points.
 /// Accuracy: that of clip_to_window.
-/// Cost: two comparisons a coordinate for what isn't clipped.
+/// Cost: two comparisons per coordinate for what isn't clipped.
 /// Errors: ContractViolation for coordinates that are not finite and a window that is inside out.
 class BatchClipper {
  public:

@@ -118,7 +118,7 @@ constexpr Point<T> mix(const Point<T>& a, const Point<T>& b, T t) {
 /// Steps: (Tested Cut? CornerKept?)* Passed, Tested once for every corner.
 /// Accuracy: corners inside are copied; a cut lies on the plane to the rounding of bound * w, and along it is
 ///   within 6 ulp of the edge's largest coordinate (bound: 0 or 2^k). A corner on it gives no second one.
-/// Cost: one test a corner, one division a cut.
+/// Cost: one test per corner, one division per cut.
 /// Errors: none.
 template <class T, class Vertex, Observer<Tested<T>, Cut<T>, CornerKept<T>, Passed<T>> O = Unobserved>
 std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane, O&& observer = {}) {
@@ -154,7 +154,7 @@ std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane,
 /// Domain: finite coordinates; no plane leaves the polygon as it is.
 /// Steps: ((Tested Cut? CornerKept?)* Passed)*, a Passed for every plane until nothing is left.
 /// Accuracy: that of one plane, for each.
-/// Cost: one test a corner and plane; a convex polygon gains at most one corner a plane.
+/// Cost: one test per corner and plane; a convex polygon gains at most one corner per plane.
 /// Errors: none.
 template <class T, class Vertex, Observer<Tested<T>, Cut<T>, CornerKept<T>, Passed<T>> O = Unobserved>
 std::vector<Vertex> clip(std::vector<Vertex> polygon, std::span<const Plane<T>> planes, O&& observer = {}) {

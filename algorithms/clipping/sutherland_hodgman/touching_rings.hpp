@@ -44,7 +44,7 @@ glm::vec<2, T> mirrored(const glm::vec<2, T>& point, const Segment<2, T>& line) 
 /// Mathematics 6, 1954, 393-404.
 ///
 /// Domain: finite coordinates, one ring. Accuracy: true is proved exactly; false may be said of a ring that
-///   has such a point. Cost: about 5 ns a vertex and round, of which there are 8 at most; an end after as
+///   has such a point. Cost: about 5 ns per vertex and round, of which there are 8 at most; an end after as
 ///   many moves as a quarter of the vertices, at most 2000.
 template <std::floating_point T>
 bool goes_round_a_point(const Outline<T>& ring) {
@@ -80,7 +80,7 @@ bool goes_round_a_point(const Outline<T>& ring) {
 /// Accuracy: exact.
 /// Cost: O(n) for n vertices, 50 to 100 ns each, where few boxes overlap, as those of runs that are short
 ///   beside the whole ring. Boxes of long edges side by side and aslant do overlap: after 3 n meetings the
-///   search ends without an answer, so that it costs at most 0.3 us a vertex.
+///   search ends without an answer, so that it costs at most 0.3 us per vertex.
 template <class T>
 class TouchSearch {
  public:

@@ -10,7 +10,7 @@
 // log(0) = -infinity, atan2(-0, -1) = -pi; NaN comes out as one canonical NaN; errno is not touched.
 // Accuracy: double: less than 0.501 ulp, subnormal results included (tests/stress/core/elementary); float:
 // less than 0.5001 ulp. So nearly always the nearest number, but not by proof: do not decide signs by them.
-// Cost: 0.1 to 0.3 us a call.
+// Cost: 0.1 to 0.3 us per call.
 
 #include <cmath>
 #include <limits>

@@ -83,7 +83,7 @@ constexpr Rounded two_product(double a, double b) {
 /// Source: Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
 /// 1997, section 2 (grow-expansion, theorem 10). No heap; the sizes of sums and products are types.
 /// Domain: no part overflows, products lie in the domain of two_product; both are checked (`expects`).
-/// For the whole range of double use SumOfProducts. Accuracy: exact. Cost: one two_sum a part and addition.
+/// For the whole range of double use SumOfProducts. Accuracy: exact. Cost: one two_sum per part and addition.
 template <std::size_t Capacity>
 class Expansion {
  public:
@@ -211,7 +211,7 @@ double rounded_quotient_of(std::span<const std::uint64_t> a, int a_exponent, std
 /// stack (68 words of 64 bits for two factors, 101 for three, 134 for four).
 /// Source: Kulisch, "Computer arithmetic and validity", 2008, chapter 8 (the complete register).
 /// Domain: all finite doubles, from the subnormals to the largest, mixed at will (others are refused);
-/// up to 2^60 terms. Accuracy: exact. Cost: some 30 ns a product.
+/// up to 2^60 terms. Accuracy: exact. Cost: some 30 ns per product.
 template <int Factors>
 class SumOfProducts {
   static_assert(1 <= Factors && Factors <= 4);

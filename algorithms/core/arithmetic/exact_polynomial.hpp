@@ -50,7 +50,7 @@ Leading leading_of(std::span<const std::uint64_t> words, int lowest, bool negati
 }  // namespace detail
 
 /// The exact value of a homogeneous polynomial of this degree in doubles, in fixed point on the stack: 33
-/// words of 64 bits a degree, of which only those in use are touched.
+/// words of 64 bits per degree, of which only those in use are touched.
 /// Source: Kulisch, "Computer arithmetic and validity", 2008, chapter 8, with multiplication.
 /// Domain: all finite doubles, from the subnormals to the largest, mixed at will (others are refused); up to
 /// 2^60 terms. Accuracy: exact. Cost: sums O(words in use), products O(words in use, squared).

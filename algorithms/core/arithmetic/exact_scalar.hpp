@@ -24,7 +24,7 @@ namespace gradus {
 /// another thread is refused when used (ContractViolation). Exact{} is 0 and valid everywhere.
 ///
 /// Source of the arithmetic: Boost.Multiprecision, cpp_rational.
-/// Accuracy: exact. Cost: about 0.3 us an operation, growing with the digits.
+/// Accuracy: exact. Cost: about 0.3 us per operation, growing with the digits.
 class Exact {
  public:
   /// Left without a value, as GLM's unions need (reading it is a mistake); Exact{} is 0.
@@ -80,7 +80,7 @@ class ExactScope {
   ExactScope& operator=(const ExactScope&) = delete;
 
   /// Ends the scope early and hands this value to the scope around it: `return scope.leave_with(area);`
-  /// Domain: once a scope, the innermost one (refused otherwise).
+  /// Domain: once per scope, the innermost one (refused otherwise).
   Exact leave_with(Exact result);
   /// The same for several values, replaced in place.
   void leave_with(std::span<Exact> results);

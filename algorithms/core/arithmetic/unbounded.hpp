@@ -13,7 +13,7 @@ namespace gradus {
 
 /// digits * 2^exponent, where 1/2 <= |digits| < 1, or 0. Domain: made from finite numbers; up to 2^18
 /// multiplications and divisions in a row. Accuracy: each operation rounds as that of T does while T neither
-/// overflows nor underflows, and so gives the same bits. Cost: some ns an operation.
+/// overflows nor underflows, and so gives the same bits. Cost: some ns per operation.
 template <std::floating_point T>
 class Unbounded {
  public:

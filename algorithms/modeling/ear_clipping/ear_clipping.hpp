@@ -139,7 +139,7 @@ Shadow largest_shadow_exact(std::span<const glm::vec<3, T>> polygon) {
 /// Domain: at least 3 corners, finite, of any size.
 /// Accuracy: the turn is exact, and 0 only if no shadow has an area. Which of nearly equal shadows is the
 ///   larger one, rounding decides.
-/// Cost: O(n), about 5 ns a corner; in doubt 1 us.
+/// Cost: O(n), about 5 ns per corner; in doubt 1 us.
 template <class T>
 Shadow largest_shadow(std::span<const glm::vec<3, T>> polygon) {
   if constexpr (std::floating_point<T>) {

@@ -112,10 +112,10 @@ void expect_polygon(const Points<T>& polygon) {
 ///
 /// Domain: at least three corners, finite; rounds >= 0; at most 2^24 points in the end.
 /// Steps: EdgeCut for each edge, RoundDone after each round, Finished.
-/// Accuracy: each coordinate within 2 u M and the smallest subnormal number a round, where M is the largest
+/// Accuracy: each coordinate within 2 u M and the smallest subnormal number per round, where M is the largest
 ///   coordinate and u = 2^-53 in double; no sum overflows. Each round leaves a quarter of the distance to the
 ///   limit.
-/// Cost: four products a new point; 2^rounds times as many points.
+/// Cost: four products per new point; 2^rounds times as many points.
 /// Errors: ContractViolation outside the domain.
 template <class T, Observer<EdgeCut<T>, RoundDone, Finished> O = Unobserved>
 Points<T> chaikin(Points<T> points, int rounds, Ends ends, O&& observer = {}) {
@@ -149,7 +149,7 @@ Points<T> chaikin(Points<T> points, int rounds, Ends ends, O&& observer = {}) {
 /// Steps: ArcFound for each corner, Finished.
 /// Accuracy: middles of edges correctly rounded, but for subnormal numbers; a point of an arc by Parabola::at
 ///   within 8 u M and eight of the smallest subnormal numbers.
-/// Cost: four products a corner.
+/// Cost: four products per corner.
 /// Errors: ContractViolation outside the domain.
 template <class T, class Take, Observer<ArcFound<T>, Finished> O = Unobserved>
 void limit(const Points<T>& polygon, Ends ends, Take&& take, O&& observer = {}) {

@@ -46,7 +46,7 @@ struct Slant {
 /// behind the plane appears at foreshortening (cos, sin) of where it would stand in the plane.
 /// radians: the angle of receding edges against x, counter-clockwise; 45 degrees is usual. foreshortening:
 ///   >= 0; 1 is the cavalier projection, 1/2 the cabinet projection, 0 the orthographic one.
-/// Accuracy: 1.51 ulp a number: sine and cosine are off by up to 0.501 ulp, which the product with the
+/// Accuracy: 1.51 ulp per number: sine and cosine are off by up to 0.501 ulp, which the product with the
 ///   foreshortening may double, and rounds by 1/2 more.
 /// Errors: ContractViolation for an angle or a foreshortening that is not finite, or a negative one.
 inline Slant<double> slant_of(double radians, double foreshortening) {
@@ -59,7 +59,7 @@ inline Slant<double> slant_of(double radians, double foreshortening) {
 
 /// The projectors along a direction, towards the plane or away from it.
 /// direction: any vector whose z is not 0.
-/// Accuracy: 1/2 ulp a number.
+/// Accuracy: 1/2 ulp per number.
 /// Errors: ContractViolation for a direction that is parallel to the plane z = d, or that leans so far that
 ///   its slant is beyond T, as (1, 0, 1e-310) does.
 template <class T>
@@ -143,7 +143,7 @@ Point<T> oblique(T d, Slant<T> slant, Point<T> p, O&& observer = {}) {
   const T t = d - p.z;
   if constexpr (observed<O>) observer(Cast<T>{p, t});
   // On the way there the projector
-  // leans a and b a unit of depth
+  // leans a and b per unit of depth
   const T x = p.x + t * a;
   const T y = p.y + t * b;
   const Point<T> image{x, y, d};

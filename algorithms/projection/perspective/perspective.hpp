@@ -155,7 +155,7 @@ struct StaysParallel {
 /// Domain: every direction; nothing for one that is parallel to the picture plane, and for one whose point
 ///   would be beyond T: (1, 0, 1e-310) has no finite one.
 /// Steps: TakenToInfinity (Vanished | StaysParallel).
-/// Accuracy: with matrix_onto: 3 roundings a coordinate, within 3 u (1 + 3 u) of it, where no product
+/// Accuracy: with matrix_onto: 3 roundings per coordinate, within 3 u (1 + 3 u) of it, where no product
 ///   underflows.
 /// Cost: a product of matrix and vector, 2 divisions.
 /// Errors: ContractViolation for the direction 0.
@@ -231,7 +231,7 @@ Point4<T> transform(const Projection<T>& p, Point3<T> v, O&& observer = {}) {
 /// Domain: w > 0, which clipping against the near plane sees to. (Points at or behind the eye have w <= 0;
 ///   dividing them would mirror them into the picture.)
 /// Steps: Divided.
-/// Accuracy: 1/2 ulp a component.
+/// Accuracy: 1/2 ulp per component.
 /// Cost: 3 divisions.
 /// Errors: ContractViolation when w <= 0 or NaN.
 template <class T, Observer<Divided<T>> O = Unobserved>
@@ -374,7 +374,7 @@ inline double spacing(DepthFormat format, double depth) {
 /// How far apart two surfaces at depth z must lie for the buffer to tell them apart is known.
 struct Resolved {
   double z, depth, spacing;
-  double slope;  ///< of the curve at z: stored depth a unit of z, without its sign
+  double slope;  ///< of the curve at z: stored depth per unit of z, without its sign
   double step;   ///< spacing / slope, in units of z
 };
 

@@ -111,9 +111,9 @@ inline constexpr T least_sine = T(1000) * std::numeric_limits<T>::epsilon();
 ///
 /// Domain: finite coordinates of any size.
 /// Steps: Aimed Levelled Framed.
-/// Accuracy: against the exact frame forward is within 9/4 ulp of 1 a component, right and up within 3 ulp of
-///   1 divided by the sine between the view direction and the hint; lengths and right angles to 8 ulp of 1;
-///   determinant of right, up, forward -1.
+/// Accuracy: against the exact frame forward is within 9/4 ulp of 1 per component, right and up within 3 ulp
+///   of 1 divided by the sine between the view direction and the hint; lengths and right angles to 8 ulp of
+///   1; determinant of right, up, forward -1.
 /// Cost: five square roots, two cross products.
 /// Errors: ContractViolation when a coordinate is not finite, when eye and target are the same point, when up
 ///   has length 0, and when up is parallel to the view direction (their sine is below least_sine).

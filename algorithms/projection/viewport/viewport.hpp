@@ -48,7 +48,7 @@ struct Mapping {
   }
 };
 
-/// Pixels a side of the largest picture: 2^30.
+/// Pixels per side of the largest picture: 2^30.
 inline constexpr int most_pixels = 1 << 30;
 
 template <class T>

@@ -54,7 +54,7 @@ struct Finished {
   Whole columns;  ///< dx + 1
 };
 
-// --- Wu: two pixels a column -------------------------------------
+// --- Wu: two pixels per column -------------------------------------
 
 /// Fixed-point numbers: so many of them make a pixel.
 inline constexpr Whole one = Whole{1} << 62;
@@ -83,22 +83,23 @@ constexpr ivec2 side_of(const Moves& go) { return go.diagonal - go.straight; }
 /// From a column to the next, one aside or not.
 constexpr ivec2 move_of(const Moves& go, bool aside) { return aside ? go.diagonal : go.straight; }
 
-/// Draws a line by two pixels a column, whose intensities are the fractions by which the line passes between
-/// them. The fraction is kept in fixed point and one addition serves two columns, for from either end the
-/// line looks the same.
+/// Draws a line by two pixels per column, whose intensities are the fractions by which the line passes
+/// between them. The fraction is kept in fixed point and one addition serves two columns, for from either end
+/// the line looks the same.
 /// X. Wu, An efficient antialiasing technique, Computer Graphics 25(4) (SIGGRAPH '91), 143-152.
 ///
 /// from, to: the centres of the end pixels, any int32 coordinates. plot(ivec2, int) gets a pixel and its
 ///   intensity, 1 to 255 (0 only beside 255); the ends first, both with 255, then columns from both towards
 ///   the middle.
 ///
-/// Domain: everything; from == to gives one pixel. Level, upright and diagonal lines have one pixel a column.
+/// Domain: everything; from == to gives one pixel. Level, upright and diagonal lines have one pixel per
+///   column.
 /// Steps: Started Paired* Finished; Paired floor(dx / 2) times.
 /// Accuracy: a column's intensities add up to 255, and their centre lies within 1/256 + 2^-31 pixel of the
 ///   line, along the axis that does not lead; up to 2^26 pixels the far one is floor(256 x fraction). The
 ///   same pixels whichever end comes first. The line is 1 thick along the column, so across it is
-///   dx / length: a diagonal has 1/sqrt(2) of a level line's ink a unit of length.
-/// Cost: an addition, a comparison and a shift for every two columns; one division a line; no memory.
+///   dx / length: a diagonal has 1/sqrt(2) of a level line's ink per unit of length.
+/// Cost: an addition, a comparison and a shift for every two columns; one division per line; no memory.
 /// Errors: none.
 template <class Plot, Observer<Started, Paired, Finished> O = Unobserved>
 constexpr void wu(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
@@ -220,7 +221,7 @@ class ConeTable {
   /// Domain: distance >= 0.
   /// Accuracy: within a byte's step, 1/255, of the cone's share: half of one by rounding, and less than half
   /// by
-  ///   the steps of 1/256, for the share changes by 3/pi a unit of distance at most.
+  ///   the steps of 1/256, for the share changes by 3/pi per unit of distance at most.
   int at(double distance) const {
     if (!(distance < 1.5)) return none;
     return bytes_[static_cast<std::size_t>(256 * distance + 0.5)];
@@ -250,17 +251,17 @@ struct Measured {
 /// Draws a line by the distance of pixel centres from its axis: each pixel gets the part of its cone that the
 /// line covers, which a table holds. Neighbouring cones overlap, so brightness does not depend on the slope.
 /// S. Gupta, R. F. Sproull, Filtering edges for gray-scale displays, Computer Graphics 15(3)
-/// (SIGGRAPH '81), 1-5. They take three pixels a column; near a diagonal up to five have a share, at most
+/// (SIGGRAPH '81), 1-5. They take three pixels per column; near a diagonal up to five have a share, at most
 /// four of them one that a byte shows.
 ///
 /// from, to, plot: as for wu, in the order of columns from `from` to `to`; intensities from 1 to 199.
 ///
 /// Domain: coordinates at least 3 from the ends of int32; from == to gives the pixels of a level line's
 ///   column.
-/// Steps: Started Measured* Finished; Measured five times a column, from the least row aside to the most.
+/// Steps: Started Measured* Finished; Measured five times per column, from the least row aside to the most.
 /// Accuracy: each byte is within 1/255 of the cone's part within the line, thought without ends: the first
 ///   and the last column are drawn as if it went on, and no others are. The same whichever end comes first.
-/// Cost: a multiplication and a look-up a pixel, five pixels a column; one square root a line.
+/// Cost: a multiplication and a look-up per pixel, five pixels per column; one square root per line.
 /// Errors: ContractViolation for ends outside the domain.
 template <class Plot, Observer<Started, Measured, Finished> O = Unobserved>
 void gupta_sproull(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
@@ -401,7 +402,7 @@ struct Cut {
 /// Steps: Started Cut* Finished; Cut once for every pixel that is plotted, column by column.
 /// Accuracy: areas within 1e-14; their sum is the line's length within 1e-12 of it. Nothing is left out: two
 ///   pixels aside of the nearest, the line has ended.
-/// Cost: four cuts of a polygon of up to eight corners a pixel, five pixels a column; no memory.
+/// Cost: four cuts of a polygon of up to eight corners per pixel, five pixels per column; no memory.
 /// Errors: ContractViolation for ends outside the domain.
 template <class Plot, Observer<Started, Cut, Finished> O = Unobserved>
 void exact_area(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {

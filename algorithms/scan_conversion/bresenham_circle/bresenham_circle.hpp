@@ -1,8 +1,8 @@
 #pragma once
 // Circles on a pixel grid: which pixels lie nearest to a circle round a pixel centre with a whole radius.
 //
-// One octant is enough, from (0, r) to the diagonal: there the circle falls by at most one pixel a column, so
-// each step goes E or SE. Seven mirror images of it complete the circle.
+// One octant is enough, from (0, r) to the diagonal: there the circle falls by at most one pixel per column,
+// so each step goes E or SE. Seven mirror images of it complete the circle.
 //
 // There are no ties: the middle between two pixels of a column is never on such a circle, for y - 1/2 is not
 // the square root of an integer.
@@ -175,8 +175,8 @@ constexpr Whole pixel_count(int radius) {
 /// J. E. Bresenham, A linear algorithm for incremental digital display of circular arcs, Communications of
 /// the ACM 20(2), 1977, 100-106.
 ///
-/// center: any pixel. radius: in pixels, 0 to 2^31 - 1. plot(ivec2) is called once a pixel; the mirror images
-///   of one place of the octant come together, clockwise.
+/// center: any pixel. radius: in pixels, 0 to 2^31 - 1. plot(ivec2) is called once per pixel; the mirror
+///   images of one place of the octant come together, clockwise.
 ///
 /// Domain: center ± radius lies in int32 (in_window takes all others); radius 0 gives one pixel. |p| <= 4
 ///   radius + 3, so it needs 64 bits (in 32 the update overflows from radius 536894085 on).

@@ -9,7 +9,7 @@
 
 namespace gradus::bresenham_circle {
 
-/// A whole circle, eight pixels a step: two in each of four rows, which walk from the top, the bottom and
+/// A whole circle, eight pixels per step: two in each of four rows, which walk from the top, the bottom and
 /// the middle towards the diagonals. Pixels on an axis or a diagonal are written twice, which is cheaper than
 /// asking. Domain: all of it lies in the raster.
 template <class Cell>

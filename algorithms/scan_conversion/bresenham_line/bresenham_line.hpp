@@ -2,7 +2,7 @@
 // Straight lines on a pixel grid: which pixels lie nearest to the line from one pixel centre to another.
 //
 // Seen along its leading axis (the one it covers more of; x when both are equal) a line advances
-// by one pixel a step and either goes straight on or one pixel aside too. In the first octant
+// by one pixel per step and either goes straight on or one pixel aside too. In the first octant
 // those are the textbook's E and NE.
 //
 // Where the exact line passes midway between two pixels the one with the smaller y is taken, for steep lines
@@ -105,7 +105,7 @@ struct Finished {
 /// J. E. Bresenham, Algorithm for computer control of a digital plotter, IBM
 /// Systems Journal 4(1), 1965, 25-30.
 ///
-/// from, to: the centres of the end pixels, any int32 coordinates. plot(ivec2) is called once a pixel,
+/// from, to: the centres of the end pixels, any int32 coordinates. plot(ivec2) is called once per pixel,
 ///   in order from `from` to `to`, both included.
 ///
 /// Domain: everything; from == to gives one pixel. |p| < 2^33, so 64 bits hold it for every line (32 do not).
@@ -328,7 +328,7 @@ constexpr bool room_to_stray(ivec2 from, ivec2 to) {
   return Whole{INT32_MIN} <= aside && aside <= INT32_MAX;
 }
 
-/// Draws a line with a digital differential analyser: adds the slope once a step and rounds the sum
+/// Draws a line with a digital differential analyser: adds the slope once per step and rounds the sum
 /// to a pixel. The slope is rounded to T, and so is every sum, hence the pixels drift off the exact
 /// line; with T = Exact they do not.
 /// The textbook forerunner; see D. F. Rogers, Procedural elements for computer graphics, 1985, section 2-3.
@@ -344,7 +344,7 @@ constexpr bool room_to_stray(ivec2 from, ivec2 to) {
 /// Accuracy: T = Exact gives the pixels of decision_parameter. Otherwise, with e the rounding unit of T
 ///   (2^-24 for float, 2^-53 for double), pixel k lies within 1/2 + e k (k + 3) of the exact line. The first
 ///   wrong pixels are in docs/topics/scan_conversion/bresenham_line.md.
-/// Cost: one division, then one addition and one rounding in T a pixel.
+/// Cost: one division, then one addition and one rounding in T per pixel.
 /// Errors: ContractViolation outside the domain.
 template <class T = float, class Plot, Observer<Divided<T>, Added<T>, Rounded<T>, Finished> O = Unobserved>
 constexpr void dda(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {

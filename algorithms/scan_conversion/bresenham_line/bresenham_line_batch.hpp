@@ -99,13 +99,13 @@ constexpr void emit_runs(ivec2 from, ivec2 to, Stretch shown, Emit& emit, O& obs
 /// J. E. Bresenham, Run length slice algorithm for incremental lines, in: Fundamental algorithms for
 /// computer graphics, 1985, 59-104.
 ///
-/// from, to: any int32 coordinates. run(ivec2 start, std::int64_t count) is called once a run; its pixels
+/// from, to: any int32 coordinates. run(ivec2 start, std::int64_t count) is called once per run; its pixels
 ///   are start + i * moves(from, to).straight for 0 <= i < count.
 ///
 /// Domain: everything; from == to gives one run of one pixel.
 /// Steps: RunsStarted RunEmitted+ Finished
 /// Accuracy: exactly the pixels of decision_parameter.
-/// Cost: two divisions, then O(1) a run; min(|dx|, |dy|) + 1 runs.
+/// Cost: two divisions, then O(1) per run; min(|dx|, |dy|) + 1 runs.
 template <class EmitRun, Observer<RunsStarted, RunEmitted, Finished> O = Unobserved>
 constexpr void run_length(ivec2 from, ivec2 to, EmitRun&& run, O&& observer = {}) {
   emit_runs(from, to, {0, extent(from, to).dx}, run, observer);

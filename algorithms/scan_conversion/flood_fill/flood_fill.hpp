@@ -152,8 +152,8 @@ struct Frame {
 /// Steps: Started (Painted (Examined Painted? | Retreated)*)? Finished
 /// Accuracy: paints every pixel connected to the seed through inside ones, once, and asks for
 ///   no others but their neighbours.
-/// Cost: one question and one paint a pixel, and 4 (8) questions for its neighbours; the path may be as long
-///   as the area has pixels (on an empty canvas of W x H from a corner it is W H), 12 bytes each.
+/// Cost: one question and one paint per pixel, and 4 (8) questions for its neighbours; the path may be as
+///   long as the area has pixels (on an empty canvas of W x H from a corner it is W H), 12 bytes each.
 /// Errors: none.
 template <class Inside, class Paint, Observer<Started, Painted, Examined, Retreated, Finished> O = Unobserved>
 Filled depth_first(ivec2 seed, Inside&& inside, Paint&& paint, Connectivity connectivity = Connectivity::four,
@@ -266,7 +266,7 @@ Whole fill_run(const Span& run, Paint& paint) {
 /// Parameters, Domain, Accuracy and Errors: as for depth_first.
 /// Steps: Started (SpanFilled SpanQueued SpanQueued (SpanTaken (Examined (SpanFilled SpanQueued+)?)*)*)?
 ///   Finished; Examined is reported for the row that is scanned, not for the pixels that a run grows over.
-/// Cost: about one question a pixel on an empty canvas, on noise about 2.3 (eight-connected: 4), never more
+/// Cost: about one question per pixel on an empty canvas, on noise about 2.3 (eight-connected: 4), never more
 ///   than depth_first. Every run is put on the stack once, and once more for each end that sticks out, 16
 ///   bytes each: on an empty canvas the stack never holds more than 2, at any size and wherever the
 ///   seed, as each run covers its row and nothing sticks out.

@@ -1,7 +1,7 @@
 #pragma once
 // Fills on plain memory. fill_rows does what fill_raster does, with a row as a pointer and the raster's edges
-// as bounds of the loops instead of a question a cell. fill_by_labels looks at the whole raster, 64 cells at
-// a time, and pays for no branch a cell. fill_area picks: a small area is not worth a look at the whole
+// as bounds of the loops instead of a question per cell. fill_by_labels looks at the whole raster, 64 cells
+// at a time, and pays for no branch per cell. fill_area picks: a small area is not worth a look at the whole
 // raster.
 
 #include <algorithm>
@@ -72,7 +72,7 @@ std::optional<Filled> rows_while(GoesOn goes_on, Raster<Cell>& raster, ivec2 see
 ///
 /// Domain: any raster that fits into memory.
 /// Accuracy: exactly the cells of fill_raster.
-/// Cost: reads a cell at most a few times and writes it once; the stack is that of `span`, 16 bytes an
+/// Cost: reads a cell at most a few times and writes it once; the stack is that of `span`, 16 bytes per
 ///   entry, at most 2 on an empty canvas.
 /// Errors: ContractViolation when the seed lies outside the raster.
 template <class Cell>
@@ -105,7 +105,7 @@ Word wanted_runs(Word bits, Word starts, std::size_t& run, Word& carry, IsWanted
 /// Domain: as fill_rows, with fewer than 2^32 - 1 runs of the seed's value.
 /// Accuracy: exactly the cells of fill_raster.
 /// Cost: two passes over the raster, 64 cells at a time, and some 15 ns for every overlap of two runs,
-///   however they lie. Memory: a bit a cell and up to 8 bytes a run, counted as peak_bytes.
+///   however they lie. Memory: a bit per cell and up to 8 bytes per run, counted as peak_bytes.
 /// Errors: as fill_rows.
 template <class Cell>
 Filled fill_by_labels(Raster<Cell>& raster, ivec2 seed, const Cell& value,
@@ -145,7 +145,7 @@ inline constexpr Whole small_part = 32;
 ///
 /// Accuracy: exactly the cells of fill_raster.
 /// Cost: of a small area, that of fill_rows, however large the raster; else that of fill_by_labels and of
-///   1/32 of the raster filled and cleared. Memory: 16 bytes a run of what was painted by rows, until then.
+///   1/32 of the raster filled and cleared. Memory: 16 bytes per run of what was painted by rows, until then.
 template <class Cell>
 Filled fill_area(Raster<Cell>& raster, ivec2 seed, const Cell& value,
                  Connectivity connectivity = Connectivity::four) {

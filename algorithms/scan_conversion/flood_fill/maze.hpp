@@ -12,7 +12,7 @@
 
 namespace gradus::flood_fill {
 
-/// One character a cell: `#` wall, `.` free, a letter (A-Z, a-z) is a colour. Row 0 is the first line.
+/// One character per cell: `#` wall, `.` free, a letter (A-Z, a-z) is a colour. Row 0 is the first line.
 using Maze = Raster<char>;
 
 inline constexpr char wall = '#';
@@ -36,7 +36,7 @@ inline std::string shown(char cell) {
   return "the byte " + std::to_string(code);
 }
 
-/// Reads a maze: one row a line, all lines equally long. `name` is how errors call the text; `quotable`:
+/// Reads a maze: one row per line, all lines equally long. `name` is how errors call the text; `quotable`:
 /// whether they may show what stands in it.
 ///
 /// Domain: any bytes. Lines end with LF or CRLF; the last one may lack its end.

@@ -33,7 +33,7 @@ constexpr int count_bits(Word bits) {
   return static_cast<int>(bits * 0x0101010101010101U >> 56);
 }
 
-/// A bit a cell: whether it has this value. The first cell is the lowest bit. Domain: 1 to 64 cells.
+/// A bit per cell: whether it has this value. The first cell is the lowest bit. Domain: 1 to 64 cells.
 template <class Cell, std::size_t extent>
 Word equal_bits(std::span<const Cell, extent> cells, const Cell& value) {
   const Cell wanted = value;
@@ -149,7 +149,7 @@ class LabelSets {
 ///
 /// reach: 0 where runs must share a column, 1 where corners connect, too.
 /// Domain: fewer than 2^32 - 1 runs.
-/// Cost: one pass; a few ns a word, and some 15 ns for each overlap of two runs.
+/// Cost: one pass; a few ns per word, and some 15 ns for each overlap of two runs.
 class RunLabels {
  public:
   RunLabels(const Bitmap& bitmap, int height, int reach) : first_run_(static_cast<std::size_t>(height) + 1) {

@@ -38,7 +38,7 @@ inline bool can_snap(dvec2 pixel) { return std::abs(pixel.x) <= farthest && std:
 /// A place in the picture on the grid of 1/256 pixel: the nearest one, midway the smaller. The one function
 /// that snaps: all code that draws the same picture uses it.
 /// Domain: can_snap(pixel).
-/// Accuracy: exact; moves a point by at most 1/512 pixel a coordinate.
+/// Accuracy: exact; moves a point by at most 1/512 pixel per coordinate.
 /// Errors: ContractViolation for places outside the domain.
 inline ivec2 snap(dvec2 pixel) {
   expects(can_snap(pixel), "the place ({}, {}) is too far from the picture to be snapped", pixel.x, pixel.y);

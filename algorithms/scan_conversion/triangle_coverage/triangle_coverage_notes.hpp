@@ -115,7 +115,7 @@ constexpr Finished counted_far(const Edges& edges, const FarEdges& far, const Wi
 /// Steps: Prepared Tested* Finished, as cover.
 /// Accuracy: edge functions are off by as much as a unit in the last place of |origin|^2: 2 square pixels
 ///   at 1e8. The rule for centres on edges is that of cover.
-/// Cost: as cover, with 2 multiplications an edge and pixel, and a list of the pixels.
+/// Cost: as cover, with 2 multiplications per edge and pixel, and a list of the pixels.
 /// Errors: ContractViolation for corners or windows that lie too far out.
 template <std::invocable<ivec2, const Weights&> Plot, Observer<Prepared, Tested, Finished> O = Unobserved>
 constexpr void expanded_edges(const Triangle& t, dvec2 origin, const Window& window, Plot&& plot,

@@ -246,7 +246,7 @@ Surface<T> middle_of(std::span<const Corner<T, Surface<T>>> polygon) {
 /// Accuracy: the pixels are those whose centres lie from the left end on and before the right one; an end is
 ///   within 8 u max|x| of its edge, u the rounding unit. Polygons that share an edge share no pixel and leave
 ///   none between them. The colour is that of light.
-/// Cost: one light; a division and the edges a row, a call of plot a pixel.
+/// Cost: one light; a division and the edges per row, a call of plot per pixel.
 /// Errors: ContractViolation for fewer than 3 corners, or a corner too far away.
 template <
     class T, class Light, class Plot,
@@ -282,7 +282,7 @@ void flat(std::span<const Corner<T, Surface<T>>> polygon, const Window& frame, L
 /// Domain: everything that light takes.
 /// Steps: VertexLit for every vertex.
 /// Accuracy: that of light.
-/// Cost: one light a vertex.
+/// Cost: one light per vertex.
 /// Errors: ContractViolation where the lengths differ.
 template <class T, class Light, class Colour, Observer<VertexLit<Colour>> O = Unobserved>
 void light_vertices(std::span<const Surface<T>> vertices, Light&& light, std::span<Colour> lit,
@@ -306,7 +306,7 @@ void light_vertices(std::span<const Surface<T>> vertices, Light&& light, std::sp
 /// Accuracy: pixels as for flat. Of a triangle the colour is the mean of the corners' by barycentric weights,
 ///   within 20 u (1 + max|x| / w) max|colour|, w the width of the row between its ends; never outside the
 ///   corners' range by more than 4 u of the largest.
-/// Cost: a row two mixtures and the edges, a pixel a division and a mixture. No light.
+/// Cost: per row two mixtures and the edges, per pixel a division and a mixture. No light.
 /// Errors: as for flat.
 template <class T, class Colour, class Plot,
           Observer<RowBegun<T, Colour>, Shaded<T, Colour, Colour>, Finished> O = Unobserved>
@@ -351,7 +351,7 @@ Surface<T> renormalised(const Surface<T>& mixed) {
 /// Steps: RowBegun* Shaded* Finished, rows upwards, each before its pixels.
 /// Accuracy: pixels as for flat; places as Gouraud's colours, normals of length 1 within 6 u. Mixing is
 ///   linear on the screen: in perspective it is not linear in space.
-/// Cost: as Gouraud's for six numbers, a square root and one light a pixel.
+/// Cost: as Gouraud's for six numbers, a square root and one light per pixel.
 /// Errors: as for flat.
 template <class T, class Light, class Plot,
           class Colour = std::invoke_result_t<Light&, glm::vec<3, T>, glm::vec<3, T>>,

@@ -118,8 +118,8 @@ T weight(std::span<const glm::vec<3, T>> places, const Face& face, std::size_t k
 /// nothing. Steps: NormalAdded for every corner of every face, then VertexDone for every vertex. Accuracy:
 /// within 8 (k + 2) u of the exact sum's direction, k the faces that meet there, where the sum does
 ///   not cancel: beside the errors of the faces' own normals.
-/// Cost: a normal a face and a weight a corner: an arc tangent with angles, a cross product a corner with
-///   areas.
+/// Cost: a normal per face and a weight per corner: an arc tangent with angles, a cross product per corner
+///   with areas.
 /// Errors: ContractViolation where the lengths of P and N differ.
 template <class T, class Faces, Observer<NormalAdded<T>, VertexDone<T>> O = Unobserved>
 void vertex_normals(std::span<const glm::vec<3, T>> P, const Faces& faces, Weighting how,

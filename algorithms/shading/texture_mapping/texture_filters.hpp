@@ -330,7 +330,7 @@ constexpr auto texels_of(ivec2 size) { return pixels({{0, 0}, size - 1}); }
 /// Domain: 1 to 2^15 columns and rows; finite colours.
 /// Steps: Averaged for every texel of every level after the first, row by row.
 /// Accuracy: exact for sizes that are powers of two while the sums fit a significand; else each texel within
-///   16 u of the largest that it covers. The mean of a level is that of the texture, within 16 u a level of
+///   16 u of the largest that it covers. The mean of a level is that of the texture, within 16 u per level of
 ///   the largest texel. Equal texels give equal levels, to the last bit.
 /// Cost: four to nine texels for each of the chain, which has a third more than the texture.
 /// Errors: ContractViolation for sizes outside the domain, or a chain of another length.

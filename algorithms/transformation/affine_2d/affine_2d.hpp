@@ -114,7 +114,7 @@ T fitting_scale(Point<T> v) {
 
 /// The mirror is the line through two points. With its direction (x, y) the map is
 /// 1 / (x^2 + y^2) times (x^2 - y^2, 2xy; 2xy, y^2 - x^2); no angle is needed.
-/// Accuracy: 4 ulp of 1 an entry beside the line through `a` along the rounded b - a; exact for Exact.
+/// Accuracy: 4 ulp of 1 per entry beside the line through `a` along the rounded b - a; exact for Exact.
 /// Errors: ContractViolation where a = b, or for numbers that are not finite.
 template <class T>
 Factor<T> reflection_in_line(Point<T> a, Point<T> b) {
@@ -208,10 +208,10 @@ std::size_t number_of(const T& element, std::span<const T> all) {
 /// factors: in the order in which they act; factors[0] stands rightmost. points: any; replaced in place.
 ///
 /// Domain: everything finite; no factor or no point is fine.
-/// Steps: Started Multiplied* Moved*; Multiplied once a factor, Moved once a point.
+/// Steps: Started Multiplied* Moved*; Multiplied once per factor, Moved once per point.
 /// Accuracy: each product rounds its entries by at most 4 ulp of the sum of its absolute terms; exact for
 ///   Exact. A far pivot costs more: see local_coordinates.
-/// Cost: 12 multiplications a factor (27 as a full product), 4 a point.
+/// Cost: 12 multiplications per factor (27 as a full product), 4 per point.
 /// Errors: none.
 template <class T, Observer<Started<T>, Multiplied<T>, Moved<T>> O = Unobserved>
 Matrix<T> one_matrix(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
@@ -247,10 +247,10 @@ struct Acted {
 /// factors, points: as for one_matrix.
 ///
 /// Domain: everything finite.
-/// Steps: Started Acted*; Acted once a factor.
-/// Accuracy: 5 roundings a coordinate and factor, none of them by the pivot where point and pivot are near
+/// Steps: Started Acted*; Acted once per factor.
+/// Accuracy: 5 roundings per coordinate and factor, none of them by the pivot where point and pivot are near
 ///   each other, but for the place that comes out, which is stored rounded. Exact for Exact.
-/// Cost: 4 multiplications a point and factor.
+/// Cost: 4 multiplications per point and factor.
 /// Errors: none.
 template <class T, Observer<Started<T>, Acted<T>> O = Unobserved>
 void factor_by_factor(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
@@ -283,7 +283,7 @@ struct Rebased {
 /// Steps: Rebased Multiplied* Moved*.
 /// Accuracy: as one_matrix, of the local coordinates: with the pivot (1e12, 1e12) and a point beside it 1 ulp
 ///   where one_matrix is 5.9e-5 off. Exact for Exact.
-/// Cost: as one_matrix, and a subtraction a point and factor.
+/// Cost: as one_matrix, and a subtraction per point and factor.
 /// Errors: none.
 template <class T, Observer<Rebased<T>, Multiplied<T>, Moved<T>> O = Unobserved>
 Matrix<T> local_coordinates(Point<T> origin, std::span<const Factor<T>> factors, std::span<Point<T>> points,
@@ -392,7 +392,7 @@ bool flattens(const glm::mat<2, 2, T>& linear) {
 ///
 /// m: its last row is 0 0 1 (not looked at).
 /// Domain: finite entries of any size, also where products of them overflow or vanish.
-/// Accuracy: 4 ulp an entry, those of the last column of the sum of their absolute terms, times how far the
+/// Accuracy: 4 ulp per entry, those of the last column of the sum of their absolute terms, times how far the
 ///   determinant cancels: (|xx yy| + |xy yx|) / |det|; and half the smallest number of T where an entry comes
 ///   out subnormal. Exact for Exact.
 /// Cost: 10 multiplications, 4 divisions. Where an entry is neither 0 nor from 2^-240 to 2^240 (of floats,
@@ -443,7 +443,7 @@ struct Stuck {
 ///   without an inverse has put them.
 /// Steps: Undone* Stuck?
 /// Accuracy: as inverse, a factor.
-/// Cost: an inverse a factor, 4 multiplications a point and factor.
+/// Cost: an inverse per factor, 4 multiplications per point and factor.
 /// Errors: none.
 template <class T, Observer<Undone<T>, Stuck> O = Unobserved>
 bool undo(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {

@@ -152,7 +152,7 @@ inline glm::dmat4 polished(const glm::dmat4& m) {
 
 /// Turns round an axis through the origin.
 /// axis: any finite length but 0, 1e-200 and 1e200 as good as 1. radians: any finite angle.
-/// Accuracy: 1e-15 an entry. Orthogonal: no entry of R^T R - I is above 4 ulp of 1, that is 4 times 2^-52
+/// Accuracy: 1e-15 per entry. Orthogonal: no entry of R^T R - I is above 4 ulp of 1, that is 4 times 2^-52
 ///   (rodrigues alone: 10).
 /// Errors: ContractViolation for an axis of length 0 and for numbers that are not finite.
 inline glm::dmat4 rotation(dvec3 axis, double radians) {
@@ -288,9 +288,9 @@ std::size_t number_of(const T& element, std::span<const T> all) {
 /// factors: in the order in which they act; factors[0] stands rightmost. points: any; replaced in place.
 ///
 /// Domain: everything finite; no factor or no point is fine.
-/// Steps: Started Multiplied* Transformed*; Multiplied once a factor, Transformed once a point.
+/// Steps: Started Multiplied* Transformed*; Multiplied once per factor, Transformed once per point.
 /// Accuracy: that of compose for each factor, of transform at the end; exact for Exact.
-/// Cost: 64 multiplications a factor, 9 a point.
+/// Cost: 64 multiplications per factor, 9 per point.
 /// Errors: none.
 template <class T, Observer<Started<T>, Multiplied<T>, Transformed<T>> O = Unobserved>
 Matrix<T> one_matrix(std::span<const Matrix<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
@@ -446,7 +446,7 @@ Point<T> turn_vector(Point<T> n, Point<T> through, const Turn<T>& turn, Point<T>
 }
 
 /// a x b with products whose rounding errors are kept, so that it is right also where they cancel.
-/// Domain: components of about 1 beside smaller ones. Accuracy: 2 ulp a component, down to 2^-1000.
+/// Domain: components of about 1 beside smaller ones. Accuracy: 2 ulp per component, down to 2^-1000.
 inline dvec3 accurate_cross(dvec3 a, dvec3 b) {
   const auto minor = [&](int i, int j) {
     const Rounded left = two_product(a[i], b[j]), right = two_product(a[j], b[i]);

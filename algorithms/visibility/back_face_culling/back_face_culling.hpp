@@ -222,11 +222,11 @@ glm::vec<3, T> view_vector(Face<T> face, const Eye<T>& eye) {
 }
 
 /// The exact sign of N . V, of which `product` is the rounded value.
-/// Domain: as normal_and_view. Accuracy: exact. Cost: some 5 ns, in doubt about 1 us a corner.
+/// Domain: as normal_and_view. Accuracy: exact. Cost: some 5 ns, in doubt about 1 us per corner.
 template <class T>
 int sign_of(T product, Face<T> face, const Eye<T>& eye) {
   if constexpr (std::floating_point<T>) {
-    // Off by less than m (16 + 2m) u a product of the corners' reach, its square, and the view vector
+    // Off by less than m (16 + 2m) u per product of the corners' reach, its square, and the view vector
     const T m = static_cast<T>(face.size() - 2), reach = detail::reach_of(face);
     const glm::vec<3, T> view = view_vector(face, eye);
     const T size = std::abs(view.x) + std::abs(view.y) + std::abs(view.z);
@@ -247,7 +247,7 @@ int sign_of(T det, Face<T> face) {
 }
 
 /// The exact sign of the area, of which `area` is the rounded value.
-/// Domain: as screen_area. Accuracy: exact. Cost: some 3 ns, in doubt about 0.1 us a corner.
+/// Domain: as screen_area. Accuracy: exact. Cost: some 3 ns, in doubt about 0.1 us per corner.
 template <class T>
 int sign_of(T area, Outline<T> ring) {
   if constexpr (std::floating_point<T>) {
@@ -271,7 +271,7 @@ int sign_of(T area, Outline<T> ring) {
 /// Steps: none.
 /// Accuracy: with n corners no farther than r from the first one along any axis, each component is within
 ///   (n - 2)(4 + 2n) u r^2 of the sum without rounding. With a rational scalar nothing is rounded.
-/// Cost: 15 operations a triangle.
+/// Cost: 15 operations per triangle.
 /// Errors: ContractViolation for fewer than 3 corners.
 template <class T>
 glm::vec<3, T> newell_normal(Face<T> face) {
@@ -286,7 +286,7 @@ glm::vec<3, T> newell_normal(Face<T> face) {
 }
 
 /// Gives `draw` the faces that show their front: the normal and the view vector, from the face to the eye,
-/// point to the same side of its plane. One test a face, in the space where the faces are (object space).
+/// point to the same side of its plane. One test per face, in the space where the faces are (object space).
 /// Source: I. E. Sutherland, R. F. Sproull, R. A. Schumacker, A characterization of ten hidden-surface
 /// algorithms, ACM Computing Surveys 6(1), 1974, 1-55, section 2.
 ///
@@ -298,7 +298,7 @@ glm::vec<3, T> newell_normal(Face<T> face) {
 /// Steps: (NormalFound ViewTaken Judged)* Finished
 /// Accuracy: the sign is exact for all finite doubles, floats and Exact; product, normal and view vector, as
 ///   they are reported, are rounded.
-/// Cost: one normal and one product a face, some 16 ns a triangle; in doubt some 0.5 us a corner.
+/// Cost: one normal and one product per face, some 16 ns per triangle; in doubt some 0.5 us per corner.
 /// Errors: ContractViolation for fewer than 3 corners, for coordinates that are not finite, for another w.
 template <class T, class Draw, Observer<NormalFound<T>, ViewTaken<T>, Judged<T>, Finished> O = Unobserved>
 void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& draw, O&& observer = {}) {
@@ -334,7 +334,7 @@ void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& d
 /// Accuracy: the sign is exact for all finite doubles, floats and Exact, of the corners as they are given; of
 ///   corners that were rounded before, it may be another than in space. The area, as it is reported, is
 ///   rounded.
-/// Cost: 7 operations a triangle, some 5 ns a face; in doubt some 0.5 us.
+/// Cost: 7 operations per triangle, some 5 ns per face; in doubt some 0.5 us.
 /// Errors: ContractViolation for fewer than 3 corners, for coordinates that are not finite.
 template <class T, class Draw, Observer<TriangleAdded<T>, Judged<T>, Finished> O = Unobserved>
 void screen_area(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = {}) {

@@ -426,7 +426,7 @@ std::size_t far_side(const Node<T>& node, int side) {
 /// Domain: w is 1 or 0; finite. Polygons that the eye sees edge-on come in either order.
 /// Steps: (Visited | Drawn)*, a Visited for each node on the way down, and its polygons' Drawn on the way up.
 /// Accuracy: the eye's sides are exact.
-/// Cost: each node twice; one test of 6 ns a node.
+/// Cost: each node twice; one test of 6 ns per node.
 /// Errors: none.
 template <class T, class Draw, Observer<Visited, Drawn<T>> O = Unobserved>
 void back_to_front(const Tree<T>& tree, const Eye<T>& eye, Draw&& draw, O&& observer = {}) {

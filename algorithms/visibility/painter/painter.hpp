@@ -218,7 +218,7 @@ void draw_rest(List<T>& list, const View<T>& view, Draw&& draw, O&& observer) {
 /// Steps: Sorted Drawn* Finished
 /// Accuracy: depths are compared exactly. The picture is right where no two polygons overlap in depth and on
 ///   the screen; others may come in the wrong order.
-/// Cost: n log n comparisons of a few ns, and some 200 ns a polygon before.
+/// Cost: n log n comparisons of a few ns, and some 200 ns per polygon before.
 /// Errors: as newell.
 template <class T, class Draw, Observer<Sorted<T>, Drawn<T>, Finished> O = Unobserved>
 void farthest_vertex(const std::vector<Polygon<T>>& all, const View<T>& view, Draw&& draw,

@@ -318,7 +318,7 @@ struct Row {
 /// Steps: (FaceTaken Compared* FaceDone)* Finished; Compared row by row, once for each pixel covered.
 /// Accuracy: depths are the nearest doubles before they are stored; the result is the least (stored depth,
 ///   id) of each pixel in any order of the faces.
-/// Cost: a depth and a comparison a covered pixel; bytes by the size of the picture alone.
+/// Cost: a depth and a comparison per covered pixel; bytes by the size of the picture alone.
 /// Errors: ContractViolation for a face outside the domain.
 template <class Depth, class Store = Exactly,
           Observer<FaceTaken, Compared<Depth, Id>, FaceDone, Finished> O = Unobserved>
@@ -344,7 +344,7 @@ void per_polygon(std::span<const Face> faces, Raster<Cell<Depth, Id>>& cells, St
 /// row before the next row begins.
 /// Source: A. J. Myers, An efficient visible surface program, 1975.
 ///
-/// faces, store: as for per_polygon. window: the pixels that are asked for. line: a cell a column of it;
+/// faces, store: as for per_polygon. window: the pixels that are asked for. line: a cell per column of it;
 ///   what is in it is overwritten. paint(pixel, id) is called once for each pixel that a face covers.
 ///
 /// Domain: that of per_polygon; line.size() is the window's width.
@@ -387,8 +387,8 @@ void scanline(std::span<const Face> faces, const Window& window, std::span<Cell<
 /// Source: W. Straßer, Schnelle Kurven- und Flächendarstellung auf grafischen Sichtgeräten, 1974; E. Catmull,
 /// A subdivision algorithm for computer display of curved surfaces, 1974.
 ///
-/// cells: one a pixel. p: in them. z: smaller is nearer. key: who it is, e.g. (object, face); at equal depth
-///   the lower one is kept.
+/// cells: one per pixel. p: in them. z: smaller is nearer. key: who it is, e.g. (object, face); at equal
+///   depth the lower one is kept.
 ///
 /// Domain: cells.contains(p), not checked. A NaN depth is never kept.
 /// Steps: Compared.

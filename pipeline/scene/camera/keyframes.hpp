@@ -24,13 +24,13 @@ struct Keyframe {
 template <class Value>
 using Track = std::vector<Keyframe<Value>>;
 
-/// How much a value changes a frame on the straight way from key k to the next.
+/// How much a value changes per frame on the straight way from key k to the next.
 template <class Value>
 Value steady_pace(const Track<Value>& track, std::size_t k) {
   return (track[k + 1].value - track[k].value) / static_cast<double>(track[k + 1].frame - track[k].frame);
 }
 
-/// How much a value changes a frame on the smooth way through key k, which is the same before and behind it.
+/// How much a value changes per frame on the smooth way through key k, the same before and behind it.
 template <class Value>
 Value smooth_pace(const Track<Value>& track, std::size_t k) {
   if (k == 0) return steady_pace(track, 0);
@@ -57,7 +57,7 @@ Value smooth_pace(const Track<Value>& track, std::size_t k) {
 /// Domain: at least one key, finite values; any finite frame.
 /// Accuracy: exact at keys and where a value is held; else 8 ulp of the largest of both keys around and of
 ///   their slopes times their distance. A smooth value may swing beyond those of its keys.
-/// Cost: a binary search, some 30 products a coordinate.
+/// Cost: a binary search, some 30 products per coordinate.
 template <class Value>
 Value value_at(const Track<Value>& track, double frame, Interpolation how) {
   const auto next =

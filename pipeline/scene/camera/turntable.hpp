@@ -21,7 +21,7 @@ inline constexpr int most_turntable_frames = 10'000;
 /// With an eye that is told, it goes round the target, or the middle of all. Without, the eye stands where
 /// the cylinder about all that turns is in the picture: all is seen in every frame, and none is larger than
 /// another. Accuracy: each eye within 34 ulp of its distance from the target, and one of the target's size:
-/// of the angle 8, the axis 14, the matrix 8, the sums 4. Cost: a pass over the corners, and a key a frame.
+/// of the angle 8, the axis 14, the matrix 8, the sums 4. Cost: a pass over the corners, and a key per frame.
 /// Errors: ContractViolation for frames out of range, and for what aim_of refuses.
 CameraPath turntable(std::span<const Object> objects, const View& view, double aspect, int frames);
 

@@ -12,9 +12,9 @@ namespace gradus::pipeline {
 ///
 /// text: the file's contents. file: how mistakes call it, and whether they may quote it.
 ///
-/// Read: a vertex and a face a line, as all programs write them, after OFF, COFF, NOFF, STOFF and what these
-/// letters make together; normals and texture coordinates. Missing normals are smooth. With a note: colours,
-/// lines behind the last face.
+/// Read: a vertex and a face per line, as all programs write them, after OFF, COFF, NOFF, STOFF and what
+/// these letters make together; normals and texture coordinates. Missing normals are smooth. With a note:
+/// colours, lines behind the last face.
 ///
 /// Domain: any bytes.
 /// Accuracy: the nearest double to each number.

@@ -18,7 +18,7 @@ std::string name_of(const PlyElement& element, const TextFile& file) {
   return file.quotable ? visible(element.name) : "an element";
 }
 
-/// A row a line.
+/// A row per line.
 class TextRows : public PlyRows {
  public:
   TextRows(std::string_view bytes, const PlyHeader& header, const TextFile& file)

@@ -1,5 +1,5 @@
 #pragma once
-// Text files of one statement a line (OBJ, MTL), read word by word; every mistake is told with file and line.
+// Text files of one statement per line (OBJ, MTL), read word by word; mistakes are told with file and line.
 
 #include <cstddef>
 #include <cstdint>

@@ -36,7 +36,7 @@ class TextureLoader {
     Image image = decode_(file->text, texture.place, left_);
     const int side = std::max(image.width(), image.height());
     if (side > texture_mapping::largest)
-      fail(fmt::format("expected at most {} pixels a side, found {}", texture_mapping::largest, side));
+      fail(fmt::format("expected at most {} pixels per side, found {}", texture_mapping::largest, side));
     left_ -= static_cast<std::int64_t>(image.width()) * image.height();
     return image;
   }

@@ -27,8 +27,8 @@ using PictureDecoder =
 ///
 /// Domain: everything.
 /// Errors: InputError "file:line: what is wrong" for a texture that is not there, can't be read, is no
-///   picture or larger than 2^15 a side, for more than most_texels in all, and for texture coordinates beyond
-///   farthest_texture_coordinate where there is a texture.
+///   picture or larger than 2^15 per side, for more than most_texels in all, and for texture coordinates
+///   beyond farthest_texture_coordinate where there is a texture.
 void load_textures(Mesh& mesh, const FileReader& open, const PictureDecoder& decode, const std::string& name);
 /// The same of a model, which may hold pictures itself.
 void load_textures(ModelFile& model, const FileReader& open, const PictureDecoder& decode,

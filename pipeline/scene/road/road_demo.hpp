@@ -53,9 +53,9 @@ inline constexpr std::size_t most_demo_vertices = 100'000;
 /// | car_velocity, k_road_radius | - | > 0 |
 /// | k_road_center, k_cam_car_rel_pos | 3 | place and mount |
 /// | k_duration, k_fps | - | whole numbers > 0: seconds, frames a second |
-/// | v_pos | 3 x N | a column a vertex |
-/// | v_uvs | N x 2 | a row a vertex |
-/// | t_pos_idx | M x 3 | a row a triangle, whole numbers from 0 to N - 1 |
+/// | v_pos | 3 x N | a column per vertex |
+/// | v_uvs | N x 2 | a row per vertex |
+/// | t_pos_idx | M x 3 | a row per triangle, whole numbers from 0 to N - 1 |
 /// | k_cam_target | 3 x 1 | a place |
 ///
 /// text: the file's contents. name: how mistakes call it.
@@ -91,7 +91,7 @@ Camera camera_at(const RoadDemo& demo, Gaze gaze, int frame, const Bounds& bound
 ivec2 frame_size(const RoadDemo& demo);
 
 /// The model in its texture, unlit, so that the texture's colours are those of the picture, on
-/// the ground that the car's road lies on. The camera is to be set, one a frame.
+/// the ground that the car's road lies on. The camera is to be set, one per frame.
 Scene scene_of(const RoadDemo& demo, Image texture);
 
 }  // namespace gradus::pipeline

@@ -214,7 +214,7 @@ class DataReader {
       refuse(count > most_demo_vertices ? places : corners, fmt::format("at most {}", most_demo_vertices),
              fmt::format("{}", std::max(count, corners.rows)));
     if (uvs.rows != count)
-      refuse(uvs, fmt::format("{} rows, one a vertex", count), fmt::format("{}", uvs.rows));
+      refuse(uvs, fmt::format("{} rows, one per vertex", count), fmt::format("{}", uvs.rows));
     for (std::size_t i = 0; i < count; ++i) {
       demo_.positions.emplace_back(places.at(0, i), places.at(1, i), places.at(2, i));
       demo_.uvs.emplace_back(uvs.at(i, 0), uvs.at(i, 1));

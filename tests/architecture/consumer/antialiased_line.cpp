@@ -1,4 +1,4 @@
-// Draws a line by two pixels a column and adds up the areas of the same line as a rectangle.
+// Draws a line by two pixels per column and adds up the areas of the same line as a rectangle.
 #include <cstdio>
 #include <scan_conversion/antialiased_line/antialiased_line.hpp>
 

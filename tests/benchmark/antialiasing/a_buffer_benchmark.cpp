@@ -1,5 +1,5 @@
-// Pictures of triangles in front of each other: time a fragment, and how far the light of pixels is from that
-// of exact areas.
+// Pictures of triangles in front of each other: time per fragment, and how far the light of pixels is from
+// that of exact areas.
 
 #include "antialiasing/a_buffer/a_buffer_picture.hpp"
 

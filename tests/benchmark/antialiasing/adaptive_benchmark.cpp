@@ -88,7 +88,7 @@ Subject adaptive() {
           .title = "Pictures of triangles, sampled",
           .item = "pixel",
           .unit = "RMSE, white is 1",
-          .measure = "samples a pixel",
+          .measure = "samples per pixel",
           .telling = "16 samples",
           .cases = cases};
 }

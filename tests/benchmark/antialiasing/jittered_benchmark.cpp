@@ -1,5 +1,5 @@
-// Patterns of samples on straight edges across a pixel, a pattern of its own for each: time a sample, and how
-// far the share of samples on one side is from the exact area.
+// Patterns of samples on straight edges across a pixel, a pattern of its own for each: time per sample, and
+// how far the share of samples on one side is from the exact area.
 
 #include "antialiasing/jittered/jittered.hpp"
 
@@ -68,7 +68,7 @@ Subject jittered() {
           .title = "Patterns of samples on straight edges",
           .item = "sample",
           .unit = "of the pixel",
-          .measure = "samples a pixel",
+          .measure = "samples per pixel",
           .telling = "16 samples",
           .cases = cases,
           .refined = true};

@@ -1,5 +1,5 @@
-// Samples that keep their distance, in tiles of one unit: time a sample, and how far the share of a pattern's
-// samples beyond a straight edge is from the exact area.
+// Samples that keep their distance, in tiles of one unit: time per sample, and how far the share of a
+// pattern's samples beyond a straight edge is from the exact area.
 
 #include "antialiasing/poisson_disc/poisson_disc.hpp"
 
@@ -48,7 +48,7 @@ Case case_of(const char* name, Standing standing, int count, Make make) {
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (const int count : {16, 64, 256}) {
-    // About 0.62 radii squared a sample, as measured for Bridson's
+    // About 0.62 radii squared per sample, as measured for Bridson's
     const double radius = std::sqrt(0.62 / count);
     const auto collected = [radius](auto fill) {
       return [=](Random random) {

@@ -124,7 +124,7 @@ Subject single_edges() {
           .title = "Straight edges across a pixel",
           .item = "pixel",
           .unit = "RMSE, a pixel is 1",
-          .measure = "samples a pixel",
+          .measure = "samples per pixel",
           .telling = "16 samples",
           .cases = cases,
           .refined = true};

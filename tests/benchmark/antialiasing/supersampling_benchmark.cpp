@@ -1,5 +1,5 @@
-// A picture of straight edges with n x n samples a pixel: time a pixel, and how far shares are from the exact
-// area.
+// A picture of straight edges with n x n samples per pixel: time per pixel, and how far shares are from the
+// exact area.
 
 #include "antialiasing/supersampling/supersampling.hpp"
 
@@ -67,10 +67,10 @@ std::vector<Case> cases() {
 
 Subject supersampling() {
   return {.topic = "supersampling",
-          .title = "Edges with n x n samples a pixel",
+          .title = "Edges with n x n samples per pixel",
           .item = "pixel",
           .unit = "of the pixel",
-          .measure = "samples a pixel",
+          .measure = "samples per pixel",
           .telling = "4 x 4 samples",
           .cases = cases,
           .refined = true};

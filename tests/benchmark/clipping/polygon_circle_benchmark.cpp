@@ -152,7 +152,7 @@ Subject polygon_circle() {
           .title = "Polygons against a circle: errors of the area",
           .item = "corner",
           .unit = "ulp",
-          .measure = "corners of a polygon; 100 polygons a run",
+          .measure = "corners of a polygon; 100 polygons per run",
           .telling = "crossing",
           .cases = cases};
 }

@@ -213,7 +213,7 @@ Subject sutherland_hodgman() {
           .title = "Polygons against a window",
           .item = "vertex",
           .unit = "ulp",
-          .measure = "vertices of a polygon; 300 polygons a run",
+          .measure = "vertices of a polygon; 300 polygons per run",
           .telling = "crossing",
           .cases = cases};
 }

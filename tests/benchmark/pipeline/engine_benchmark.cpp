@@ -31,7 +31,7 @@ constexpr Size sizes[]{{512, 512}, {1920, 1080}};
 constexpr Shading shadings[]{Shading::gouraud, Shading::phong};
 constexpr int thread_counts[]{1, 2};
 
-/// Milliseconds a call: the median of the repetitions.
+/// Milliseconds per call: the median of the repetitions.
 template <class Run>
 double milliseconds(const Effort& effort, const Run& run) {
   using Clock = std::chrono::steady_clock;

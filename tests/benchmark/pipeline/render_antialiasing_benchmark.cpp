@@ -1,5 +1,5 @@
 // What antialiasing costs in rendered pictures, and what it brings: every method of gradus render --aa,
-// against 1024 samples a pixel.
+// against 1024 samples per pixel.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Lines a pixel wide without stairs: time a pixel, and how far intensities are from the area that the line
+// Lines a pixel wide without stairs: time per pixel, and how far intensities are from the area that the line
 // has of each pixel.
 
 #include "scan_conversion/antialiased_line/antialiased_line.hpp"

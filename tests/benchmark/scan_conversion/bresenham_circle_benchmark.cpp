@@ -134,7 +134,7 @@ Subject bresenham_circle() {
           .title = "Circles into a picture",
           .item = "pixel",
           .unit = "pixels",
-          .measure = "radius; 100 circles a run",
+          .measure = "radius; 100 circles per run",
           .telling = "all radii",
           .cases = cases};
 }

@@ -165,7 +165,7 @@ Subject bresenham_line() {
           .title = "Lines into a picture",
           .item = "pixel",
           .unit = "pixels",
-          .measure = "pixels of a line; 100 lines a run",
+          .measure = "pixels of a line; 100 lines per run",
           .telling = "all directions",
           .cases = cases};
 }

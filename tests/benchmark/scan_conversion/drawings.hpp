@@ -16,7 +16,7 @@
 
 namespace gradus::bench::drawings {
 
-using Canvas = Raster<std::uint8_t>;  ///< a byte a cell, as OpenCV's pictures in grey
+using Canvas = Raster<std::uint8_t>;  ///< a byte per cell, as OpenCV's pictures in grey
 
 /// One kind of figure: Shape is what is drawn.
 template <class Shape>

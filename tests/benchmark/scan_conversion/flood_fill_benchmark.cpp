@@ -25,7 +25,7 @@ namespace gradus::bench {
 namespace {
 
 using flood_fill::Method;
-using test::Canvas;  // a byte a cell, as OpenCV's pictures in grey: 0 free, 1 wall, 2 painted
+using test::Canvas;  // a byte per cell, as OpenCV's pictures in grey: 0 free, 1 wall, 2 painted
 using test::comb;
 using test::maze;
 using test::noise;

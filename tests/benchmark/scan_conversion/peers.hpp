@@ -86,7 +86,7 @@ class AggPen {
 #endif
 
 #ifdef GRADUS_HAS_OSMESA
-/// OpenGL's lines, drawn by Mesa on the processor, into a picture of its own with four bytes a pixel.
+/// OpenGL's lines, drawn by Mesa on the processor, into a picture of its own with four bytes per pixel.
 class MesaPicture {
  public:
   explicit MesaPicture(int side) : picture_(side, side), context_(OSMesaCreateContext(OSMESA_RGBA, nullptr)) {

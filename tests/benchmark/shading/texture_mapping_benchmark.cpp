@@ -51,7 +51,7 @@ struct Floor {
 
 constexpr Window window{{0, 0}, {width - 1, width - 1}};
 
-/// The mean of 16 x 16 samples a pixel; less than 0 where not all of them lie on the floor.
+/// The mean of 16 x 16 samples per pixel; less than 0 where not all of them lie on the floor.
 Picture reference(double far) {
   Picture sum(width, width), count(width, width);
   const Window fine{{0, 0}, {samples * width - 1, samples * width - 1}};

@@ -305,7 +305,7 @@ Domain accumulation_buffer() {
         .traps = {{"2^20 passes of 255", {most_passes, 2, 0, 0}}, {"four passes", {4, 0, 0, 1}}},
         .cases = 2000},
        {.name = "one_pass",
-        .states = "a x b passes are one pass with a x b samples a pixel, bit for bit",
+        .states = "a x b passes are one pass with a x b samples per pixel, bit for bit",
         .unit = "pictures",
         .bound = 0,
         .numbers = 3,

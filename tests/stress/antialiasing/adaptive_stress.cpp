@@ -112,7 +112,7 @@ std::array<int, most_triangles> shown(const std::vector<ScreenTriangle>& triangl
   return count;
 }
 
-/// One number a pixel that tells whose colours were mixed, by which shares, from which places.
+/// One number per pixel that tells whose colours were mixed, by which shares, from which places.
 struct Found {
   dvec3 sum{0};
   double share = 0;

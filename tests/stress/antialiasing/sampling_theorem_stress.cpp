@@ -45,7 +45,7 @@ double alias_error(const Input& i) {
 Input wheel(Kind kind, Random& random) {
   const auto n = static_cast<double>(random.uniform_int(1, 100));
   Input two = two_rates(kind, random);
-  // About half a spoke's distance a frame
+  // About half a spoke's distance per frame
   if (kind == Kind::near_degenerate)
     two[0] = nudged(two[1] * (static_cast<double>(random.uniform_int(-9, 9)) + 0.5) / n, random);
   return {two[0], two[1], n};
@@ -136,7 +136,7 @@ Domain sampling_theorem() {
             .arguments = wheel_arguments,
             .traps = {{"30 revolutions at 24 frames", {30, 24, 1}},
                       {"eight spokes at 2", {2, 24, 8}},
-                      {"half a spoke a frame", {1.5, 24, 8}},
+                      {"half a spoke per frame", {1.5, 24, 8}},
                       {"a product that is rounded to the middle", {1.1666666666666667, 7, 3}}}},
            {.name = "curve",
             .states = "back comes the sine of the alias: below half the rate the signal itself",

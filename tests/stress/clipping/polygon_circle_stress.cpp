@@ -287,7 +287,7 @@ Property chords() {
     return flags;
   };
   it.traps = with_tolerance(traps());
-  // Square roots in 200 bits, two a chord
+  // Square roots in 200 bits, two per chord
   it.cases = 3'000;
   return measured(it, "ulp", 4);
 }

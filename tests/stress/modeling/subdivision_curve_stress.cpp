@@ -61,7 +61,7 @@ std::vector<Integer> exact_rounds(std::vector<Integer> points, int rounds, bool 
   return points;
 }
 
-/// In parts of 2 u M a round and the smallest positive number.
+/// In parts of 2 u M per round and the smallest positive number.
 double points_error(const Input& i) {
   if (!std::isfinite(i.back())) return 0;
   const auto [polygon, rounds, ends] = given_in(i);
@@ -81,7 +81,7 @@ double points_error(const Input& i) {
     for (const dvec2 p : polygon) exact.push_back(fixed(p[axis]));
     exact = exact_rounds(exact, rounds, ends == Ends::closed);
     if (exact.size() != found.size()) return wrong;
-    // 2 u M k, and one of the smallest numbers a round: fixed() counts in these
+    // 2 u M k, and one of the smallest numbers per round: fixed() counts in these
     const Integer allowed = (fixed(size) * rounds * scale >> 52) + Integer(rounds) * scale;
     for (std::size_t k = 0; k < found.size(); ++k) {
       const Integer off = abs(Integer(fixed(found[k][axis]) * scale - exact[k]));
@@ -163,7 +163,7 @@ Domain subdivision_curve() {
   return {
       "subdivision_curve",
       {{.name = "points",
-        .states = "coordinates within 2 u M a round of the exact ones, M the largest, at every size",
+        .states = "coordinates within 2 u M per round of the exact ones, M the largest, at every size",
         .unit = "of the bound",
         .bound = 1,
         .numbers = 2 * corners + 1,

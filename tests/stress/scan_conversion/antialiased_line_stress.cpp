@@ -242,7 +242,7 @@ Domain antialiased_line() {
   return {
       "antialiased_line",
       {{.name = "wu",
-        .states = "two intensities a column that add up to 255, whose centre is on the line to 1/256 + "
+        .states = "two intensities per column that add up to 255, whose centre is on the line to 1/256 + "
                   "2^-31, the same from both ends",
         .unit = "pixels",
         .bound = 1.0 / 256 + 0x1p-31,

@@ -176,7 +176,7 @@ double steps_error(const Input& input) {
   return paints ? ratio : 0;
 }
 
-/// The questions a cell that `span` asks for an area of more than 1000 cells, in parts of what is promised.
+/// The questions per cell that `span` asks for an area of more than 1000 cells, in parts of what is promised.
 double noise_error(const Input& input) {
   const std::optional<RasterCase> given = raster_case(input);
   if (!given || !given->cells.contains(given->seed) || count(given->area()) <= 1000) return 0;
@@ -404,7 +404,7 @@ Domain flood_fill() {
                  .error = steps_error,
                  .traps = raster_traps()};
   Property noise{.name = "questions_on_noise",
-                 .states = "span asks at most 3.5 questions a cell, 4.5 where corners connect",
+                 .states = "span asks at most 3.5 questions per cell, 4.5 where corners connect",
                  .unit = "of that",
                  .bound = 1,
                  .numbers = raster_numbers,

@@ -252,7 +252,7 @@ std::vector<double> chain_of(ivec2 size, const Texel& texel) {
   return chain;
 }
 
-/// In units of 16 u a level; for powers of two and 8-bit grey any difference is wrong.
+/// In units of 16 u per level; for powers of two and 8-bit grey any difference is wrong.
 double mean_error(const Input& i) {
   if (!is_size_and_grey(i)) return 0;
   const ivec2 size(i[0], i[1]);
@@ -381,8 +381,8 @@ Domain texture_mapping() {
         .traps = {{"one texel", {0.3, 0.3, 1, 1}}, {"the middle of a texel", {0.5, 0.5, 5, 3}}},
         .cases = 500},
        {.name = "mean",
-        .states = "levels keep the mean: exactly for powers of two, else within 16 u a level",
-        .unit = "of 16 u a level",
+        .states = "levels keep the mean: exactly for powers of two, else within 16 u per level",
+        .unit = "of 16 u per level",
         .bound = 1,
         .numbers = 3,
         .kinds = {Kind::random, Kind::ties},

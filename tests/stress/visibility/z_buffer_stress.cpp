@@ -171,7 +171,7 @@ double error_of_rows(const Input& i) {
 // --- Faces in one plane
 
 /// Left, top, right and bottom of three rectangles in eighths of a pixel, then a plane: its depth at the
-/// picture's first corner and how it grows a pixel, in eighths.
+/// picture's first corner and how it grows per pixel, in eighths.
 Input generate_coplanar(Kind kind, Random& random) {
   Input input;
   for (std::size_t k = 0; k < 4 * faces; ++k)

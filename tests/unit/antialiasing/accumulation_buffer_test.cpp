@@ -135,7 +135,7 @@ std::vector<double> blurred_bar(int passes, const Shutter& shutter, double speed
 }
 
 TEST(AccumulationBuffer, BlurIsAsLongAsSpeedTimesShutter) {
-  // R001-163: an edge that moves 8 pixels becomes a ramp of 8 pixels, 1/8 a pixel
+  // R001-163: an edge that moves 8 pixels becomes a ramp of 8 pixels, 1/8 per pixel
   std::vector<double> row(16);
   const auto edge = [](double moment, const Sums<double>& plot) {
     for (int x = 0; x < 16; ++x) plot({x, 0}, x + 0.5 < 4 + 16 * moment ? 1 : 0);
@@ -288,7 +288,7 @@ TEST(AccumulationBuffer, EyesFillTheLensEvenly) {
 }
 
 TEST(AccumulationBuffer, APointOutOfFocusIsSpreadOverItsCircle) {
-  // A point at depth 2 through a lens sharp at 4: as wide as the circle of confusion, 16 cells a unit
+  // A point at depth 2 through a lens sharp at 4: as wide as the circle of confusion, 16 cells per unit
   const Lens lens{1, 4};
   const ivec2 picture{32, 32};
   std::vector<double> sums(32 * 32);

@@ -201,7 +201,7 @@ TEST(Adaptive, SamplesAndColoursAreFew) {
   EXPECT_LT(done[0].crossed, 40);
   EXPECT_EQ(done[1].crossed, 12 * 9);
   EXPECT_LT(done[0].samples, done[1].samples);
-  EXPECT_EQ(done[0].colours, done[1].colours);  // one a fragment either way
+  EXPECT_EQ(done[0].colours, done[1].colours);  // one per fragment either way
 }
 
 TEST(Adaptive, ThinTrianglesKeepMoreOfTheirAreaWithMoreSamples) {

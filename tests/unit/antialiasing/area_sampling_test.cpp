@@ -115,7 +115,7 @@ TEST(AreaSampling, StepsFollowTheGrammar) {
   ASSERT_FALSE(seen.events().empty());
   EXPECT_EQ(std::get<Started>(seen.events().front().step).box, (Window{{1, 1}, {3, 4}}));
   EXPECT_EQ(std::get<Finished>(seen.events().back().step).covered, 9);
-  // Two cuts a row, and two a pixel
+  // Two cuts per row, and two per pixel
   EXPECT_EQ(all<BorderCut>(seen).size(), 2u * 4 + 2 * 9);
   EXPECT_EQ(all<AreaTaken<double>>(seen).size(), 9u);
 }

@@ -88,7 +88,8 @@ TEST(DocumentedAntialiasing, SamplesThatBridsonFinds) {
   poisson_disc::bridson({dvec2(1)}, radius, 30, Random(seed), [&](dvec2) { ++samples; });
   // On a large area, so that its sides don't count
   EXPECT_TRUE(states("docs/topics/antialiasing/poisson_disc.md",
-                     "Of about {} / r² samples a unit of area with 30 tries.", {samples * radius * radius}));
+                     "Of about {} / r² samples per unit of area with 30 tries.",
+                     {samples * radius * radius}));
 }
 
 TEST(DocumentedAntialiasing, ANeedle) {

@@ -133,7 +133,7 @@ TEST(Supersampling, AsksEachPlaceOnceAndKeepsWhatItSays) {
   }
 }
 
-// R001-160: of a large picture n * n as much is kept, of a band n rows a row.
+// R001-160: of a large picture n * n as much is kept, of a band n rows per row.
 TEST(Supersampling, MemoryGrowsWithTheFactor) {
   const Window small{{0, 0}, {99, 49}}, high{{0, 0}, {99, 4999}};
   for (const int n : {1, 2, 4, 8}) {

@@ -134,7 +134,7 @@ TEST(Report, SizeChartShowsTheSeriesWithItsSlope) {
   const auto chart = size_chart(findings());
   ASSERT_TRUE(chart);
   ASSERT_EQ(chart->curves.size(), 1u);
-  // 100 items a run: 4 and 40 microseconds
+  // 100 items per run: 4 and 40 microseconds
   EXPECT_EQ(chart->curves[0].points, (std::vector<dvec2>{{10, 4}, {100, 40}}));
   EXPECT_EQ(chart->curves[0].name, "slow and right, slope 1.00");
   Findings without = findings();
@@ -222,7 +222,7 @@ TEST(Measure, RunsAreTimedAndPreparationIsNot) {
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(told, 6u);
   EXPECT_EQ(prepared, ran);
-  // 2 ms a run are 1 ms an item; preparing would be 10 more
+  // 2 ms per run are 1 ms per item; preparing would be 10 more
   EXPECT_GE(results[0].nanoseconds, 0.9e6);
   EXPECT_LT(results[0].nanoseconds, 8e6);
   EXPECT_LT(results[1].nanoseconds, results[0].nanoseconds);

@@ -39,7 +39,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // --- Region codes ----------------------------------------------------------------------------------------
 
 TEST(CohenSutherland3d, CodesAreSixBits) {
-  // One bit a face, in the order 1, 2, 4, 8, 16, 32; faces, edges and corners are inside
+  // One bit per face, in the order 1, 2, 4, 8, 16, 32; faces, edges and corners are inside
   EXPECT_EQ(region_code(dvec3(-1, 5, 5), ten), 1);
   EXPECT_EQ(region_code(dvec3(11, 5, 5), ten), 2);
   EXPECT_EQ(region_code(dvec3(5, -1, 5), ten), 4);

@@ -203,7 +203,7 @@ TEST(ChainAntialiasing, AreasThatWouldTakeTooLongNameTheWayOut) {
   } catch (const UsageError& error) {
     EXPECT_EQ(error.what(),
               fmt::format("--aa area_sampling: expected triangles whose areas take at most 10000000 cuts and "
-                          "100 a pixel, found {} that take more; adaptive and a_buffer take samples, and "
+                          "100 per pixel, found {} that take more; adaptive and a_buffer take samples, and "
                           "draw any",
                           screen.size()));
   }

@@ -137,7 +137,7 @@ TEST(Chain, AFragmentLiesOnTheRayThroughItsPixel) {
     const Ray ray = ray_through(scene.camera, 90, 60, dvec2(s.fragment.pixel) + 0.5);
     const double depth = glm::dot(s.place.at - ray.origin, scene.camera.frame.forward);
     const double error = glm::distance(s.place.at, ray.origin + depth * ray.direction);
-    // Corners were moved by up to 1/512 pixel a coordinate
+    // Corners were moved by up to 1/512 pixel per coordinate
     const double pixel = depth * glm::distance(ray_through(scene.camera, 90, 60, {1, 0}).direction,
                                                ray_through(scene.camera, 90, 60, {0, 0}).direction);
     EXPECT_LT(error, pixel / 256);

@@ -33,7 +33,7 @@ Mesh shipped(const std::string& name) {
   return load_obj(std::string(GRADUS_SOURCE_DIR) + "/examples/models/" + name).mesh;
 }
 
-/// The scene as a view sees it, one colour a face.
+/// The scene as a view sees it, one colour per face.
 Scene seen_by(Scene scene, const View& view, Size size) {
   const double aspect = static_cast<double>(size.width) / size.height;
   scene.camera = camera_of(aim_of(scene.objects, view, aspect), view, scene.objects, aspect);

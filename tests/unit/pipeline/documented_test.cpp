@@ -53,7 +53,7 @@ TEST(DocumentedRendering, WhatAnOrderMayTake) {
 }
 
 TEST(DocumentedRendering, WhatAreasMayTake) {
-  EXPECT_TRUE(states(rendering, "takes more than {} cuts of one piece by another, and {} a pixel",
+  EXPECT_TRUE(states(rendering, "takes more than {} cuts of one piece by another, and {} per pixel",
                      {CuttingLimit::most, CuttingLimit::more_a_pixel}));
 }
 
@@ -110,8 +110,8 @@ TEST(DocumentedEngine, MemoryOfWhatIsKept) {
   // Of a vertex place and depth, of a piece its vertices and the rest
   EXPECT_TRUE(
       states(engine_page,
-             "Memory: {} bytes a vertex, {} a piece of a mesh and {} a triangle that touches a pixel; "
-             "{} for one that is clipped; 8 bytes a tile and batch of {} pieces.",
+             "Memory: {} bytes per vertex, {} per piece of a mesh and {} per triangle that touches a pixel; "
+             "{} for one that is clipped; 8 bytes per tile and batch of {} pieces.",
              {sizeof(decltype(engine::Frame::grid)::value_type) +
                   sizeof(decltype(engine::Frame::depths)::value_type),
               sizeof(engine::PieceVertices) + sizeof(engine::MeshPiece), sizeof(engine::FrameTriangle),

@@ -317,7 +317,7 @@ std::vector<SampleCounts> samples_of_batch(const Frame& frame, int tile, const W
   find_shown(frame, pixels, places, *buffer, shown);
   std::vector<SampleCounts> counts(SampleBuffer::cells);
   for (const ShownTriangle& s : shown) {
-    EXPECT_TRUE(counts[s.cell].emplace(s.id, s.samples).second) << "once a pixel";
+    EXPECT_TRUE(counts[s.cell].emplace(s.id, s.samples).second) << "once per pixel";
     const auto edges = triangle_coverage::edges_of(frame.triangle(s.id).grid);
     EXPECT_EQ(s.place, adaptive::colour_place(edges, pixels.lower + TileBuffer::place(s.cell), places));
   }

@@ -80,7 +80,7 @@ Scene rounded_scene(Random& random) {
   mesh.materials = {test::random_material(random)};
   const double slope = random.uniform_int(0, 1) == 0 ? -1 : 2;
   for (int i = 0; i < 24; ++i) {
-    // From the picture's middle, a pixel a unit
+    // From the picture's middle, a pixel per unit
     const auto along = [&](int side) {
       const std::int64_t pixel = random.uniform_int(-side / 2, side / 2 - 1);
       return static_cast<double>(pixel) + 0.5 + random.uniform(-0.5, 0.5) / triangle_coverage::subpixels;

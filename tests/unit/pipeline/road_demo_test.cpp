@@ -258,7 +258,7 @@ TEST(RoadDemo, MistakesAreNamed) {
   EXPECT_EQ(complaint(changed("[0, 1, 2]", "[0, 1]")),
             "d.json:36: t_pos_idx: expected rows of 3 numbers, found a list of 2");
   EXPECT_EQ(complaint(changed("    [0.0, 0.5],\n", "")),
-            "d.json:17: v_uvs: expected 16 rows, one a vertex, found 15");
+            "d.json:17: v_uvs: expected 16 rows, one per vertex, found 15");
   EXPECT_EQ(complaint(changed("[0.0, 0.0, 0.0]", "[0.0, 0.0, 1e9]")),
             "d.json:8: k_road_center: expected numbers of at most 524288 in size, found 1e9");
 }

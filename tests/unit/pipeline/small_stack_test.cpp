@@ -1,5 +1,5 @@
 // Methods that walk trees, on a stack of 256 KiB: trees that are lists, as faces one behind another make
-// them, end no program. A walk that called itself once a node would need some hundred bytes for each.
+// them, end no program. A walk that called itself once per node would need some hundred bytes for each.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -142,7 +142,7 @@ TEST(Textures, RefusedWithTheLineThatNamesThem) {
   const auto wide = [](const std::string&, const std::string&, std::int64_t) { return Image(40'000, 1); };
   files["my wood.png"] = "";
   EXPECT_EQ(refusal_of(square, files, wide),
-            "m.mtl:3: map_Kd 'my wood.png': expected at most 32768 pixels a side, found 40000");
+            "m.mtl:3: map_Kd 'my wood.png': expected at most 32768 pixels per side, found 40000");
   // A mistake in the picture is reported by its decoder, under the same name
   const auto broken = [](const std::string&, const std::string& name, std::int64_t) -> Image {
     refuse_input(name + ": broken");

@@ -81,7 +81,7 @@ TEST(DocumentedProjection, PlacesAndTheWayBack) {
     }
   }
   EXPECT_TRUE(
-      states(viewport_page, "pictures to 5000 pixels a side) the worst is {} · 2⁻⁵² of it off.", {places}));
+      states(viewport_page, "pictures to 5000 pixels per side) the worst is {} · 2⁻⁵² of it off.", {places}));
   EXPECT_TRUE(
       states(viewport_page,
              "There and back is within 4 ulp of the window's largest coordinate, the worst {} · 2⁻⁵² of it.",
@@ -98,7 +98,7 @@ TEST(DocumentedProjection, CentresLeadBack) {
     const double digits = random.uniform(1, 2);
     const double largest = std::ldexp(digits, static_cast<int>(random.uniform_int(-60, 60)));
     const double ulp = std::nextafter(largest, HUGE_VAL) - largest;
-    // From 9 ulp a pixel on, those most of the time
+    // From 9 ulp per pixel on, those most of the time
     const auto share = [&](int count) {
       const double more = random.unit();
       return count * ulp * (9 + std::ldexp(more, static_cast<int>(random.uniform_int(0, 30))));

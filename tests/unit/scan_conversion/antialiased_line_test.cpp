@@ -161,7 +161,7 @@ TEST(AntialiasedLine, GuptaSproullIsTheSameFromBothEnds) {
   EXPECT_GT(pixels, 60'000);
 }
 
-/// What a long line in this direction has of ink a unit of length, where a level line of width 1 has 1.
+/// What a long line in this direction has of ink per unit of length, where a level line of width 1 has 1.
 template <class Draw>
 double ink(ivec2 way, const Draw& draw) {
   double sum = 0;

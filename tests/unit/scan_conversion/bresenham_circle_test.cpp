@@ -116,7 +116,7 @@ TEST(BresenhamCircle, SmallestCircles) {
 }
 
 TEST(BresenhamCircle, EachPixelOnce) {
-  // G001-15: eight calls a place against the pixels there are
+  // G001-15: eight calls per place against the pixels there are
   const int radii[] = {0, 1, 5, 10};
   const std::size_t calls[] = {8, 16, 40, 64}, distinct[] = {1, 4, 28, 56};
   for (int i = 0; i < 4; ++i) {

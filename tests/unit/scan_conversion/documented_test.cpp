@@ -68,7 +68,7 @@ TEST(DocumentedScanConversion, WhatFillsRemember) {
   const Costs empty = costs_of(Canvas(side, side), ivec2(side / 2)), of_maze = costs_of(test::maze(side)),
               of_noise = costs_of(test::noise(side)), of_comb = costs_of(test::comb(side));
   EXPECT_TRUE(states(
-      fill_page, "| empty, seed in the middle ({}) | {} bytes a cell | {} ({} entries) | {} ({} entries) |",
+      fill_page, "| empty, seed in the middle ({}) | {} bytes per cell | {} ({} entries) | {} ({} entries) |",
       {empty.cells, empty.bytes_a_cell[0], empty.bytes_a_cell[1], empty.entries[1], empty.bytes_a_cell[2],
        empty.entries[2]}));
   const auto row = [](const char* text, const Costs& c) {

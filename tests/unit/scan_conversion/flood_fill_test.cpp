@@ -132,7 +132,7 @@ TEST(FloodFill, ASmallAreaCostsNoLookAtTheWholeRaster) {
   EXPECT_LT(room.peak_bytes, 100u);
   EXPECT_EQ(std::ranges::count(raster.cells(), 2), 10);
 
-  // All around it: by labels, a bit a cell at least, and not a cell else
+  // All around it: by labels, a bit per cell at least, and not a cell else
   raster = before;
   auto by_pixels = before;
   const Filled around = fill_area(raster, {0, 0}, std::uint8_t{2});

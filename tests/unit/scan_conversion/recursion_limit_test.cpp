@@ -93,7 +93,7 @@ int limit(void* (*run)(void*)) {
 void expect_a_call_a_cell(const char* name, void* (*run)(void*)) {
   const int side = limit(run);
   const double bytes = static_cast<double>(stack_bytes) / (1.0 * side * side);
-  std::printf("%s: crashes from %d x %d on, %.0f bytes a call\n", name, side, side, bytes);
+  std::printf("%s: crashes from %d x %d on, %.0f bytes per call\n", name, side, side, bytes);
   EXPECT_GT(bytes, 16);  // a return address and a frame pointer
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
   EXPECT_LT(bytes, 256);

@@ -288,7 +288,7 @@ TEST(TextureMapping, MipMappedIsContinuous) {
 }
 
 /// A square footprint: the level is near the mean of what the pixel covers. For footprints of 2, 4 and 8
-/// texels a side the worst of 400 differs by less than half of what one sample is off.
+/// texels per side the worst of 400 differs by less than half of what one sample is off.
 TEST(TextureMapping, LevelIsNearTheMeanOfTheFootprint) {
   Random random(7711);
   const Grey texture({64, 64}, random);

@@ -35,7 +35,7 @@ const Flag compare{"compare", 0, "METHOD",
 const Flag trace{
     "trace", 0, "FILE",
     "beside somebody's own answer: results.json, results.json#CASE of several, or a table like mine.csv "
-    "with a pixel x,y a line; shows where it first differs"};
+    "with a pixel x,y per line; shows where it first differs"};
 const Flag force{"force", 'f', "", "replaces a file also when gradus did not make it"};
 const Flag format{
     "format", 0, "NAME",
@@ -88,7 +88,7 @@ const std::vector<Flag> outputs{
 
 /// How a scene is seen.
 const std::vector<Flag> views{
-    {"size", 0, "WxH", "in pixels, up to 8192 a side; default 800x600, or what the scene says"},
+    {"size", 0, "WxH", "in pixels, up to 8192 per side; default 800x600, or what the scene says"},
     {"eye", 0, "X,Y,Z", "where it is seen from; default: in front, so that all of it is in the picture"},
     {"target", 0, "X,Y,Z", "what the eye looks at; default: the middle of the model"},
     {"up", 0, "X,Y,Z", "the direction that is up in the picture; default 0,1,0"},
@@ -105,7 +105,7 @@ const std::vector<Flag> views{
     {"light", 0, "X,Y,Z", "where a lamp stands; default: light from behind the viewer's left shoulder"},
     {"background", 0, "COLOR", "#rrggbb, a colour's name, or none for a transparent one; default white"},
     {"shading", 0, "HOW",
-     "light once a face, a corner or a pixel: flat, gouraud or phong (default); wireframe draws edges "
+     "light once per face, corner or pixel: flat, gouraud or phong (default); wireframe draws edges "
      "alone"},
     {"hidden-surfaces", 0, "METHOD",
      fmt::format("what decides which surface is seen: {}, which is wrong where triangles overlap in depth; "
@@ -119,7 +119,7 @@ const std::vector<Flag> views{
      fmt::format("antialiasing: {}; default {}", fmt::join(pipeline::antialiasing_names, ", "),
                  name_of(pipeline::default_antialiasing))},
     {"samples", 0, "N",
-     fmt::format("samples a pixel, for methods that take some; default {}", pipeline::default_samples)},
+     fmt::format("samples per pixel, for methods that take some; default {}", pipeline::default_samples)},
 };
 
 const Flag frames{"frames", 0, "FRAMES", ""};
@@ -177,7 +177,7 @@ std::vector<Command> all_commands() {
        1,
        true,
        joined(
-           {with_help(output, "where to; {step} in the name makes one file a step; - is standard output"),
+           {with_help(output, "where to; {step} in the name makes one file per step; - is standard output"),
             step,
             steps,
             panels,
@@ -188,8 +188,8 @@ std::vector<Command> all_commands() {
             {"snippet", 0, "KIND", "prints the lines to paste into a lecture: beamer, reveal or markdown"}},
            {looks, words, outputs}),
        {"gradus figure TOPIC -o figure.svg", "gradus figure TOPIC --step 1 --theme dark -o figure.png",
-        "gradus figure TOPIC -o 'figure-{step}.png'    # one file a step",
-        "gradus figure TOPIC -o figure.pdf             # one page a step",
+        "gradus figure TOPIC -o 'figure-{step}.png'    # one file per step",
+        "gradus figure TOPIC -o figure.pdf             # one page per step",
         "gradus figure TOPIC -o figure.html            # the player, to step through in a browser",
         "gradus figure TOPIC -o figure.pdf --steps auto --size 4:3 --snippet beamer",
         "gradus figure TOPIC -o figure.svg --panels phases    # one slide, a drawing for each phase",
@@ -210,7 +210,7 @@ std::vector<Command> all_commands() {
        {{"plain", 0, "",
          "one header with all that the topic needs but GLM and the standard library, and no observers"},
         with_help(output, "where to; default: standard output"),
-        with_help(force, "replaces a file that is there, whatever it is")},
+        with_help(force, "replaces a file that is there, of any kind")},
        {"gradus source TOPIC", "gradus source TOPIC --plain -o topic.hpp"},
        Operand::topic},
       {"cases",
@@ -269,7 +269,8 @@ std::vector<Command> all_commands() {
            {with_help(output, "where to: .pdf, .tex (with its drawings in a PDF beside it) or .xml (Moodle)"),
             {"key", 0, "FILE",
              "where the answer key goes; default: beside the sheets, with -key in its name"},
-            {"students", 0, "FILE", "their names, one a line, or a CSV with names first; default: one sheet"},
+            {"students", 0, "FILE",
+             "their names, one per line, or a CSV with names first; default: one sheet"},
             {"seed", 0, "N", "which inputs; the same number makes the same ones; default 1"},
             {"points", 0, "N", "of a sheet, shared by rows and drawings; default 10"},
             {"table-rows", 0, "N", "how many rows of the table at most, 2 to 16; default 12"},
@@ -284,7 +285,7 @@ std::vector<Command> all_commands() {
        {"gradus worksheet TOPIC -o sheet.pdf              # and sheet-key.pdf",
         "gradus worksheet TOPIC -o sheet.pdf --students names.txt --seed 7 --language de",
         "gradus worksheet TOPIC -o sheet.tex --paper letter --table-rows 8",
-        "gradus worksheet TOPIC TOPIC -o exam.pdf --points 20    # two tasks a student",
+        "gradus worksheet TOPIC TOPIC -o exam.pdf --points 20    # two tasks per student",
         "gradus worksheet TOPIC -o quiz.xml --students names.txt"},
        Operand::topic,
        {"500 students"}},
@@ -298,7 +299,7 @@ std::vector<Command> all_commands() {
        joined(
            {with_help(output,
                       "the PNG; - is standard output; an HTML page tells of the pixel that is clicked; "
-                      "{frame} in the name makes one file a frame of the camera's path, .mp4 a film")},
+                      "{frame} in the name makes one file per frame of the camera's path, .mp4 a film")},
            {views,
             plans,
             {with_help(frames,

@@ -148,7 +148,7 @@ std::vector<StepNumber> pages_of(const FigureSpec& spec, const Takes& takes, For
   if (count_in(spec.steps) > most_pages) {
     throw UsageError(
         fmt::format("--steps: expected at most {} steps for one {} ({{step}} in the name of -o makes one "
-                    "file a step), found {}",
+                    "file per step), found {}",
                     most_pages, document_name(format), count_in(spec.steps)));
   }
   std::vector<StepNumber> steps = shown_steps(spec, takes);

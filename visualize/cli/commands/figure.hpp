@@ -17,7 +17,7 @@ FigureSpec fitting(FigureSpec spec, Format format);
 /// Refuses flags that say nothing about this format. Throws UsageError.
 void refuse_idle_flags(const Request& request, Format format);
 
-/// One file, or one a step when the name holds "{step}"; then the lines that put it into a lecture.
+/// One file, or one per step when the name holds "{step}"; then the lines that put it into a lecture.
 /// Everything appears or nothing. Throws UsageError, WorkError.
 void write_figure(FigureSpec spec, Format format, const Output& output, std::span<const std::string> inputs,
                   std::optional<SnippetKind> snippet = std::nullopt);

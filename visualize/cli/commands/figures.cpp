@@ -339,7 +339,7 @@ std::string counts_of(const Lecture& lecture) {
   return text;
 }
 
-/// `--check`: every problem of the lecture, one a line.
+/// `--check`: every problem of the lecture, one per line.
 int check(const Lecture& lecture, const Request& request, std::size_t threads) {
   std::vector<Job> jobs;
   for (const AnyPart& part : lecture.parts()) jobs.push_back({part, ""});

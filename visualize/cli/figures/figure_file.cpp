@@ -99,7 +99,7 @@ StepNumber shown_step(const FigureSpec& spec, const Takes& takes) {
   if (spec.milestones || count_in(spec.steps) != 1) {
     throw UsageError(
         fmt::format("--steps: expected one step for one picture ({{step}} in the name of -o makes one "
-                    "file a step), found {}",
+                    "file per step), found {}",
                     shown(spec.said.at("steps"))));
   }
   const StepNumber step = numbers_in(spec.steps).front();

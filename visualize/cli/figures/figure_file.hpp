@@ -15,7 +15,7 @@ namespace gradus::cli {
 
 FilmFormat film_format(Format format);
 
-/// A figure has one page a step in PDF; more than this are not put into one file.
+/// A figure has one page per step in PDF; more than this are not put into one file.
 inline constexpr std::int64_t most_pages = 1000;
 
 /// --format, or the ending of the output's name; SVG for standard output. Throws UsageError.
@@ -38,16 +38,16 @@ Sheet sheet_of(const FigureSpec& spec, Takes& takes, StepNumber step);
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format);
 /// Told that the i-th picture of a file has been drawn.
 using OnDrawn = std::function<void(std::size_t i)>;
-/// PDF, one page a step.
+/// PDF, one page per step.
 std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
                         const OnDrawn& on_drawn = {});
-/// PPTX, a slide a step.
+/// PPTX, a slide per step.
 std::string slides_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
                          const OnDrawn& on_drawn = {});
 /// Throws UsageError for options out of a film's range, and for frames larger than films are shown, each of
 /// which takes seconds.
 void check_film(const FigureSpec& spec, Format format);
-/// GIF, MP4, WebP: a frame a step, and what moves between them. `on_drawn` is told of each of
+/// GIF, MP4, WebP: a frame per step, and what moves between them. `on_drawn` is told of each of
 /// pictures_drawn(). Throws UsageError, WorkError.
 std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps, Format format,
                     const OnDrawn& on_drawn = {});

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double least_side = 160, most_side = 8192;
 
-/// Pixels for a length: 96 an inch, as in CSS.
+/// Pixels for a length: 96 per inch, as in CSS.
 std::optional<double> unit_of(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, double>, 5> units{
       {{"", 1}, {"px", 1}, {"cm", 96 / 2.54}, {"mm", 96 / 25.4}, {"in", 96}}};
@@ -86,7 +86,7 @@ std::string read_size(FigureSpec& spec, const std::string& text) {
     refuse_flag(
         "size",
         fmt::format(
-            "a width and a height like 1280x720 or 12cmx8cm ({} to {} pixels, 96 an inch), or a ratio "
+            "a width and a height like 1280x720 or 12cmx8cm ({} to {} pixels, 96 per inch), or a ratio "
             "like 4:3",
             least_side, most_side),
         shown(text));

@@ -28,7 +28,7 @@ std::size_t chosen(std::string_view flag, std::string_view text, const Texts& na
 
 // --- Which steps -------------------------------------------------------------------------------------------
 
-/// One step a sheet after all.
+/// One step per sheet after all.
 void leave_panels(FigureSpec& spec) {
   spec.panels.reset();
   spec.said.erase("panels");
@@ -185,7 +185,7 @@ void check_pixels(const FigureSpec& spec) {
   constexpr double most_pixels = 16'384;
   const double width = spec.look.width * spec.scale, height = spec.look.height * spec.scale;
   if (std::max(width, height) <= most_pixels) return;
-  throw UsageError(fmt::format("--scale: expected at most {} pixels a side, found {:.0f} x {:.0f}",
+  throw UsageError(fmt::format("--scale: expected at most {} pixels per side, found {:.0f} x {:.0f}",
                                most_pixels, width, height));
 }
 

@@ -37,7 +37,7 @@ struct FigureSpec : StepChoice {
   SvgText svg_text = SvgText::outlines;
   Wording wording;
   ListingForm listing = ListingForm::source;
-  std::optional<PageGrid> handout;  ///< PDF: pages for print instead of a page a step
+  std::optional<PageGrid> handout;  ///< PDF: pages for print instead of a page per step
   Paper paper = papers().front();
   FilmOptions film;
   std::string caption;  ///< said before the one made from the step's sentence

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<FormatFacts, 13> all_formats{{
     {"svg", FormatKind::picture, false, "SVG"},
     {"png", FormatKind::picture, true, "PNG"},
-    {"pdf", FormatKind::document, false, "PDF, a page a step"},
+    {"pdf", FormatKind::document, false, "PDF, a page per step"},
     {"html", FormatKind::player, false, "player"},
     {"csv", FormatKind::text, false, "table (CSV)"},
     {"md", FormatKind::text, false, "table (Markdown)"},
@@ -23,7 +23,7 @@ constexpr std::array<FormatFacts, 13> all_formats{{
     {"gif", FormatKind::film, true, "film (GIF)"},
     {"mp4", FormatKind::film, true, "film (MP4)"},
     {"webp", FormatKind::film, true, "film (WebP)"},
-    {"pptx", FormatKind::document, false, "PowerPoint, a slide a step"},
+    {"pptx", FormatKind::document, false, "PowerPoint, a slide per step"},
 }};
 
 }  // namespace

@@ -13,8 +13,8 @@ enum class Format { svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp
 /// What a file of a format holds.
 enum class FormatKind {
   picture,   ///< one step, drawn
-  document,  ///< a page or slide a step
-  film,      ///< a frame a step, and what moves between them
+  document,  ///< a page or slide per step
+  film,      ///< a frame per step, and what moves between them
   player,    ///< the run, to be played
   text,      ///< the run, as a table or as data
 };

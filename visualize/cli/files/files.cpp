@@ -197,7 +197,7 @@ void write_stream(Stream stream, std::string_view bytes) {
 
 void note(std::string_view line) {
   try {
-    // One call a line: lines of several threads do not mix
+    // One call per line: lines of several threads do not mix
     write_stream(Stream::err, std::string(line) + "\n");
   } catch (const std::exception&) {
     // A closed stderr is no reason to stop the work

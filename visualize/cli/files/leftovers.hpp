@@ -12,7 +12,7 @@ std::string temporary_name();
 
 /// Removes from a folder (empty: the current one) the temporary files of processes of this system that are no
 /// more. What came from elsewhere, another machine in a shared folder or the time before a restart, can't be
-/// judged so: it goes when it has not been written to for a week. Looks into each folder once a process.
+/// judged so: it goes when it has not been written to for a week. Looks into each folder once per process.
 void remove_leftovers(const std::filesystem::path& folder);
 
 }  // namespace gradus::cli

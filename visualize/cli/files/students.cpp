@@ -68,7 +68,7 @@ std::vector<Student> students_in(std::string_view text, std::string_view what) {
       throw UsageError(fmt::format("{}: expected at most {} students, found more", what, most_students));
     }
   }
-  if (names.empty()) throw UsageError(fmt::format("{}: expected a name a line, found none", what));
+  if (names.empty()) throw UsageError(fmt::format("{}: expected a name per line, found none", what));
   return names;
 }
 

@@ -16,7 +16,7 @@ struct Student {
   std::size_t line = 0;
 };
 
-/// The names in a text, one a line; of a line with , or ; or a tab what stands before that, so that a table
+/// The names in a text, one per line; of a line with , or ; or a tab what stands before that, so that a table
 /// (CSV) whose first column has the names will do. Names may stand in "…", with "" for a quote. Empty lines
 /// count nothing, nor does a first line that is a heading: "name" or "student" in any spelling. what: the
 /// flag, for errors. Throws UsageError: no name, too many, a name of more than 100 letters, with control

@@ -172,7 +172,7 @@ class Film {
   /// GIF counts repetitions after the first time, and -1 is none.
   int gif_loop() const { return options_.loop == 0 ? 0 : options_.loop == 1 ? -1 : options_.loop - 1; }
 
-  /// Colours are converted once a picture, then it is repeated for as long as it lasts, the last one longer
+  /// Colours are converted once per picture, then it is repeated for as long as it lasts, the last one longer
   /// or shorter.
   std::string movie_filter() const {
     const std::string colors = "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p";

@@ -21,7 +21,7 @@ struct OutputFile {
 
 /// The files of a figure in one format: the only place that knows which those are. Pictures show the most
 /// telling step, "<stem>.svg"; of several chosen steps there is one file each, "<stem>-4.svg". A PDF has a
-/// page a step; a player plays the stretch that the chosen steps span. Throws UsageError for steps that the
+/// page per step; a player plays the stretch that the chosen steps span. Throws UsageError for steps that the
 /// run has not.
 std::vector<OutputFile> output_files(const FigureSpec& spec, Takes& takes, Format format,
                                      const std::string& stem);

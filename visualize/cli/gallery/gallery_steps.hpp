@@ -17,7 +17,7 @@ bool is_cut(std::int64_t last);
 /// Steps for the PDF: of a run that is not kept whole, those that are.
 std::int64_t last_page(const Takes& takes);
 
-/// One picture a step.
+/// One picture per step.
 std::vector<StepNumber> picture_steps(const FigureSpec& spec, const Takes& takes);
 
 /// The figure with the pages of its PDF as its steps.

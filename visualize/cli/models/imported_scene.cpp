@@ -182,8 +182,8 @@ class Conversion {
     }
     constexpr unsigned longest = 1 << 15;
     if (picture.mWidth == 0 || std::max(picture.mWidth, picture.mHeight) > longest)
-      refuse(fmt::format("expected pictures of 1 to {} texels a side, found {} x {}", longest, picture.mWidth,
-                         picture.mHeight));
+      refuse(fmt::format("expected pictures of 1 to {} texels per side, found {} x {}", longest,
+                         picture.mWidth, picture.mHeight));
     Image image(static_cast<int>(picture.mWidth), static_cast<int>(picture.mHeight));
     for (std::size_t i = 0; i < image.cells().size(); ++i) {
       const aiTexel& texel = picture.pcData[i];

@@ -142,14 +142,15 @@ std::vector<Alike> grouped(const Run& run, const std::vector<std::size_t>& frame
   return groups;
 }
 
-// --- A file a frame ----------------------------------------------------------------------------------------
+// --- A file per frame --------------------------------------------------------------------------------------
 
 void check_name(const std::string& output) {
   const fs::path path(output);
   const bool as_it_should = has_mark(path.filename().string()) && folded(path.extension().string()) == ".png";
   if (as_it_should && !has_mark(path.parent_path().string())) return;
-  throw UsageError(fmt::format("-o: expected a file a frame like f-{}.png, or a film like film.mp4, found {}",
-                               frame_mark, shown(output)));
+  throw UsageError(
+      fmt::format("-o: expected a file per frame like f-{}.png, or a film like film.mp4, found {}",
+                  frame_mark, shown(output)));
 }
 
 /// Refuses what stands in the way before anything is drawn. Returns the frames that are to be drawn.
@@ -205,7 +206,7 @@ int film_file(const Request& request, const Run& run) {
   const std::string output = output_of(request);
   const Replace replace = replaces(request.has("force"));
   if (request.has("array"))
-    refuse_flag("array", "a file a frame, of which a part can be made", shown(output));
+    refuse_flag("array", "a file per frame, of which a part can be made", shown(output));
   check_output(output, run.shot.brief.files, replace);
   std::vector<std::size_t> all(run.size()), group_of(run.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;

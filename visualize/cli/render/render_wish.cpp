@@ -183,7 +183,7 @@ class WishReader {
     }
     const auto count = whole_number(folded(trimmed(*text)));
     if (!count || *count < 1 || *count > most_samples)
-      refuse_flag("samples", fmt::format("1 to {} samples a pixel", most_samples), shown(*text));
+      refuse_flag("samples", fmt::format("1 to {} samples per pixel", most_samples), shown(*text));
     if (takes_squares(method) && pipeline::grid_side(static_cast<int>(*count)) == 0)
       refuse_flag("samples", "a square like 4, 9 or 16, for they stand in cells", shown(*text));
     wish_.samples = static_cast<int>(*count);

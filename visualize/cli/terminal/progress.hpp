@@ -14,7 +14,7 @@ namespace gradus::cli {
 
 /// What is said of the items that are finished.
 enum class Telling : std::uint8_t {
-  each,        ///< where there is no bar, a line an item as soon as it and all before it are done
+  each,        ///< where there is no bar, a line per item as soon as it and all before it are done
   as_a_whole,  ///< the same, but only once they are kept(): until then they may come to nothing
 };
 

@@ -75,7 +75,7 @@ class OverviewLayout {
 
   void draw_overview_cells(const Box& whole) {
     const Window all = trace_.grid.own();
-    constexpr int most = 208;  // samples a side: twice the pixels it has at 720 lines
+    constexpr int most = 208;  // samples per side: twice the pixels it has at 720 lines
     if (!trace_.grid.picture && static_cast<double>(all.width()) * static_cast<double>(all.height()) > 4e6)
       return;
     const int width = static_cast<int>(std::min<std::int64_t>(all.width(), most));
@@ -83,7 +83,7 @@ class OverviewLayout {
     pen_.image("overview", overview_image(whole, width, height));
   }
 
-  /// One sample a cell of the small picture; cells with a role win over the input picture.
+  /// One sample per cell of the small picture; cells with a role win over the input picture.
   ImageShape overview_image(const Box& whole, int width, int height) const {
     const Window all = trace_.grid.own();
     ImageShape small{whole, Image(width, height, Rgba8{0, 0, 0, 0}), Raster<std::uint8_t>(width, height)};

@@ -1,4 +1,4 @@
-// The story of the accumulation buffer: one picture a pass, their sum, and the mean.
+// The story of the accumulation buffer: one picture per pass, their sum, and the mean.
 
 #include "antialiasing/accumulation_buffer/accumulation_buffer.hpp"
 

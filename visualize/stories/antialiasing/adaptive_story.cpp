@@ -215,7 +215,7 @@ class Story {
   std::optional<StepNumber> telling_{};
 };
 
-/// Which pixels take a colour a sample.
+/// Which pixels take a colour per sample.
 class ContrastStory {
  public:
   ContrastStory(const Words& words, const Subject& subject, const Paper& paper)
@@ -394,7 +394,7 @@ const TopicEntry& entry() {
       {.name = "adaptive",
        .chapter = "antialiasing",
        .aliases = {"adaptive antialiasing", "multisampling", "MSAA", "adaptive supersampling"},
-       .summary = "all samples where an edge crosses a pixel, one colour a fragment",
+       .summary = "all samples where an edge crosses a pixel, one colour per fragment",
        .methods = {{.name = "adaptive",
                     .standing = Standing::taught,
                     .tell = tell_adaptive,
@@ -418,7 +418,7 @@ const TopicEntry& entry() {
                           "triangles: x right and y down in pixels, z away from the viewer", {1e-6, 1e6}),
                       integer(1, 12, "columns", "8", "6", "how many pixels the picture is wide"),
                       integer(1, 12, "rows", "8", "6", "how many pixels it is high"),
-                      choice("samples", {"4", "8", "16"}, "8", "16", "samples a pixel that takes all"),
+                      choice("samples", {"4", "8", "16"}, "8", "16", "samples per pixel that takes all"),
                       {.name = "pixel",
                        .type = ParameterType::cell,
                        .default_value = "5,4",

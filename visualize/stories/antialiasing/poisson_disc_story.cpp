@@ -309,9 +309,9 @@ std::pair<Area, double> subject_of(const Arguments& given) {
     refuse(given, {"radius", "area"},
            fmt::format("expected a radius of at most twice the area’s longer side, {}", 2 * longer));
   if (area.wraps && 2 * radius > shorter)
-    refuse(
-        given, {"radius", "area", "tile"},
-        fmt::format("expected a tile of at least two radii a side, so a radius of at most {}", shorter / 2));
+    refuse(given, {"radius", "area", "tile"},
+           fmt::format("expected a tile of at least two radii per side, so a radius of at most {}",
+                       shorter / 2));
   return {area, radius};
 }
 

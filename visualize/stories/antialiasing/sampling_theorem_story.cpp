@@ -48,7 +48,7 @@ std::vector<Parameter> parameters_of_all() {
       whole("spokes", "8", "1", "spokes of the wheel, all alike", 1, 24),
       whole("shown", "6", "3", "how many frames follow the first one", 1, 12),
       whole("pixels", "48", "64", "columns and rows of the pictures", 16, 64),
-      number("distance", "18", "4", "how far from the centre the rings have one cycle a pixel, in pixels",
+      number("distance", "18", "4", "how far from the centre the rings have one cycle per pixel, in pixels",
              {0.25, 1e3}),
       number("square", "0.25", "0.5", "side of a square of the ground, in heights of the eye", {0.05, 50})};
 }

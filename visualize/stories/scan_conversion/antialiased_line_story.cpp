@@ -28,7 +28,7 @@ class Telling {
   double worth_ = 0;
 };
 
-// --- Two pixels a column
+// --- Two pixels per column
 
 class WuStory {
  public:

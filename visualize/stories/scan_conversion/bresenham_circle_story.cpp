@@ -33,8 +33,8 @@ double radial_error(int radius, ivec2 at) {
 
 // --- The steps
 
-/// How a run is told: all of a circle eight pixels a step, what a window shows of it one pixel a step, the
-/// notes' listing and where the circle would have been, or their way of plotting and what it sets again.
+/// How a run is told: all of a circle eight pixels per step, what a window shows of it one pixel per step,
+/// the notes' listing and where the circle would have been, or their way of plotting and what it sets again.
 enum class Way { whole, windowed, late, eight };
 
 class Story {

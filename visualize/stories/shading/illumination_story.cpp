@@ -342,7 +342,7 @@ const TopicEntry& entry() {
             number("concentration", "0", "8", "of a spot: the power that weakens it away from its axis",
                    {1e-3, 1e3}),
             number("side", "2.4", "1", "of an area: the side of its square", {1e-3, 1e3}),
-            integer(1, 16, "samples", "4", "2", "of an area: how many points a side it is sampled with"),
+            integer(1, 16, "samples", "4", "2", "of an area: how many points per side it is sampled with"),
             points(1, 6, "exponents", "1 5 20 100", "2 8 32", "whose highlights are drawn", {"n"},
                    {1e-3, 1e4})},
        .examples = {"--lights '0,3,4 0,-4,2 0,2,-1' --eye 0,-3,4",

@@ -350,7 +350,7 @@ const TopicEntry& entry() {
        .chapter = "shading",
        .aliases = {"flat shading", "gouraud", "gouraud shading", "phong shading", "smooth shading",
                    "vertex normals"},
-       .summary = "light once a polygon, once a vertex or once a pixel, and what lies between is mixed",
+       .summary = "light once per polygon, once per vertex or once per pixel, and what lies between is mixed",
        .methods = {{.name = "gouraud",
                     .standing = Standing::taught,
                     .tell = tell_gouraud,

@@ -1,4 +1,4 @@
-// The story of back-face culling: one test a face, by its normal and the view vector, by its area in the
+// The story of back-face culling: one test per face, by its normal and the view vector, by its area in the
 // picture, or before the division.
 
 #include "core/arithmetic/elementary.hpp"

@@ -111,7 +111,7 @@ class Drawing extends StillDrawing {
     return out;
   }
 
-  // Cells: one path a role, however many there are
+  // Cells: one path per role, however many there are
   look(name) { return this.theme.roles[this.run.trace.roles.indexOf(name)]; }
   squares(cells, role, inset) {
     const {cell} = this.at, side = cell - 2 * inset;

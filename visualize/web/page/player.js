@@ -274,7 +274,7 @@ class Playing extends PlayerView {
     this.announce();
     this.changed();
   }
-  /** For readers by ear: once a step, and not while steps fly past. */
+  /** For readers by ear: once per step, and not while steps fly past. */
   announce() {
     const step = this.run.steps[this.index];
     if (this.flying) return;

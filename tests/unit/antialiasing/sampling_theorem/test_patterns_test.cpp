@@ -55,7 +55,7 @@ int fragments_of(const Picture& p) {
 }
 
 TEST(TestPatterns, TheZonePlateHasCentresThatAreNotThere) {
-  // 16 pixels from the centre the rings have one cycle a pixel: the samples there are those of the centre
+  // 16 pixels from the centre the rings have one cycle per pixel: the samples there are those of the centre
   const ZonePlate plate{{24.5, 24.5}, 16};
   const Picture p = picture(plate, {49, 49});
   for (const ivec2 off : {ivec2{16, 0}, ivec2{-16, 0}, ivec2{0, 16}, ivec2{0, -16}, ivec2{16, 16}}) {
@@ -73,7 +73,7 @@ TEST(TestPatterns, TheZonePlateHasCentresThatAreNotThere) {
 }
 
 TEST(TestPatterns, AFinerPatternStillAliases) {
-  // R001-160: n x n samples a pixel move the limit to n/2 cycles; n + 1/16 look like 1/16 again, at full
+  // R001-160: n x n samples per pixel move the limit to n/2 cycles; n + 1/16 look like 1/16 again, at full
   // strength
   for (const int n : {1, 2, 4, 8}) {
     const Grating fine{{n + 1 / 16.0, 0}}, slow{{1 / 16.0, 0}};
@@ -127,7 +127,7 @@ TEST(TestPatterns, TheHorizonBeginsWhereSquaresGetLowerThanAPixel) {
       EXPECT_GE(borders(y), 1) << y;
     }
   }
-  // Truth tends to grey there; one sample a pixel is black or white
+  // Truth tends to grey there; one sample per pixel is black or white
   const Picture one = picture(board, {48, 48}), mean = picture(board, {48, 48}, 32);
   double worst_near = 0, grey = 0;
   for (int x = 0; x < 48; ++x) {
@@ -156,7 +156,7 @@ TEST(TestPatterns, ThinBarsAreLost) {
 }
 
 TEST(TestPatterns, AThinLineFallsIntoFragments) {
-  // Half a row high, one row in eight columns: four columns of eight see it, a piece a row
+  // Half a row high, one row in eight columns: four columns of eight see it, a piece per row
   const ThinLine line{0.53, 0.125, 0.5 / std::sqrt(1 + 0.125 * 0.125)};
   EXPECT_NEAR(line.height(), 0.5, 1e-15);
   const Picture p = picture(line, {32, 6});

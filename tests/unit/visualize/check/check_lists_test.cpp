@@ -182,7 +182,7 @@ bool is_moved_and_doubled(const List&, const List& theirs) {
     same = near(point(theirs[i]), 2.0 * (corners[i] + dvec2{2, 1}));
   return same;
 }
-/// Points in a window of 8 x 8, a pixel a unit, the third one outside.
+/// Points in a window of 8 x 8, a pixel per unit, the third one outside.
 bool are_floors(const List&, const List& theirs) {
   const std::vector<ivec2> pixels{{1, 2}, {6, 0}, {3, 7}};
   bool same = theirs.size() == pixels.size();

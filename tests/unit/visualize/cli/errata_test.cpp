@@ -92,7 +92,7 @@ TEST(ErrataGallery, TheSameStepsAtTheCostOfOpenCalls) {
   const auto exhibit = std::ranges::find(exhibits(), "E001-07", &Exhibit::id);
   ASSERT_NE(exhibit, exhibits().end());
   EXPECT_EQ(exhibit->parting, "Every step tells the same; the results are shown.");
-  EXPECT_EQ(exhibit->outcome, "The same result, but peak calls = 64.") << "a call a cell of 8 x 8";
+  EXPECT_EQ(exhibit->outcome, "The same result, but peak calls = 64.") << "a call per cell of 8 x 8";
   EXPECT_EQ(exhibit->difference, "Pixels: 64, of which 0 wrong; 0 of the right ones missing.");
 }
 

@@ -84,7 +84,7 @@ TEST(FigureSpecs, SizesAreInPixels) {
 TEST(FigureSpecs, PicturesHaveAnEnd) {
   EXPECT_EQ(spec_of({"figure", "bresenham_line", "--size", "8192x4096", "--scale", "2"}).scale, 2);
   EXPECT_EQ(complaint([] { canonical_command({"--size", "8192x4096", "--scale", "2.01"}); }),
-            "--scale: expected at most 16384 pixels a side, found 16466 x 8233");
+            "--scale: expected at most 16384 pixels per side, found 16466 x 8233");
 }
 
 TEST(FigureSpecs, GroundsKeepTextsLegible) {

@@ -36,7 +36,7 @@ TEST(Canvas, IsAPlaneUntilAStepSaysOtherwise) {
 }
 
 TEST(Canvas, CellsKeepTheirColoursUntilTheyChange) {
-  // A grid with a byte a cell, and one too large for that
+  // A grid with a byte per cell, and one too large for that
   for (const Window& window :
        {Window{{0, 0}, {3, 3}}, Window{{INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX}}}) {
     Canvas canvas(window);

@@ -107,7 +107,7 @@ void listing_and_table_have_their_least(const Trace& trace, const Sheet& sheet, 
   EXPECT_GE(at.rows, std::min<std::int64_t>(2, trace.last + 1));
 }
 
-/// One in so many looks a run: prime to the numbers of choices, layouts and crops, or a run would see one
+/// One in so many looks per run: prime to the numbers of choices, layouts and crops, or a run would see one
 /// kind alone.
 constexpr std::size_t looks_shares = 7;
 

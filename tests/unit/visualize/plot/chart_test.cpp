@@ -54,7 +54,7 @@ TEST(Chart, SlopeOfAPowerIsItsExponent) {
     ASSERT_TRUE(slope(points));
     EXPECT_NEAR(*slope(points), exponent, 1e-12);
   }
-  // By hand: logarithms to base 10 are (0, 0), (1, 0), (2, 3); their line climbs 3/2 a step
+  // By hand: logarithms to base 10 are (0, 0), (1, 0), (2, 3); their line climbs 3/2 per step
   EXPECT_NEAR(*slope(std::vector<dvec2>{{1, 1}, {10, 1}, {100, 1000}}), 1.5, 1e-12);
 }
 
@@ -67,8 +67,8 @@ TEST(Chart, OnePlaceHasNoSlope) {
 /// Charts like those that are measured, and worse.
 std::vector<Chart> charts() {
   Chart apart{"Segments against a window",
-              "crossing · worst error against time a segment",
-              {"ns a segment"},
+              "crossing · worst error against time per segment",
+              {"ns per segment"},
               {"worst error in ulp", "0"}};
   apart.dots = {{"cut_of_a_cut", {18, 480}, Role::current, true},
                 {"correctly_rounded", {62, 0.5}, Role::accepted, true},
@@ -94,7 +94,7 @@ std::vector<Chart> charts() {
   Chart one = apart;
   one.dots = {{"alone", {3, 2}, Role::current, true}};
 
-  Chart series{"Filling an area", "time against size", {"n: side of a picture"}, {"microseconds a run"}};
+  Chart series{"Filling an area", "time against size", {"n: side of a picture"}, {"microseconds per run"}};
   for (int i = 0; i < 6; ++i) {
     Curve curve{fmt::format("a method of name {}, slope 2.0{}", i, i), {}, Role::current};
     for (const double n : {64.0, 256.0, 1024.0, 4096.0}) curve.points.push_back({n, n * n * (1 + 0.01 * i)});

@@ -201,7 +201,7 @@ TEST(PlaneMarks, DashedLinesAreDashedWhateverTheirRole) {
   EXPECT_TRUE(std::get<LineShape>(find_shape(sheet, "a")->what).dashed);
   const LineShape& path = std::get<LineShape>(find_shape(sheet, "b")->what);
   EXPECT_TRUE(path.dashed && path.closed);
-  EXPECT_EQ(path.points.size(), 3u) << "one line, not one an edge: dashes go round the corners";
+  EXPECT_EQ(path.points.size(), 3u) << "one line, not one per edge: dashes go round the corners";
   EXPECT_FALSE(std::get<LineShape>(find_shape(sheet, "c")->what).dashed);
 }
 

@@ -11,7 +11,7 @@
 namespace gradus::supersampling {
 namespace {
 
-// A thin triangle: with one sample a pixel most of it is lost or torn, with more its area comes closer.
+// A thin triangle: with one sample per pixel most of it is lost or torn, with more its area comes closer.
 TEST(SupersamplingStory, AThinTrianglesAreaIsFound) {
   const Polygon sliver{{0.3, 0.4}, {15.6, 5.2}, {15.7, 5.6}};
   const double area = area_of(sliver);

@@ -52,7 +52,7 @@ TEST(GalleryPage, SaysWhatItIsGiven) {
   EXPECT_THAT(page, HasSubstr("Lines &amp; fills"));
   EXPECT_THAT(page, HasSubstr("href=\"./all.zip\""));
   EXPECT_THAT(page, HasSubstr("3 figures"));
-  EXPECT_EQ(count(page, "<section data-chapter="), 2U) << "one section a chapter";
+  EXPECT_EQ(count(page, "<section data-chapter="), 2U) << "one section per chapter";
   EXPECT_THAT(page, HasSubstr("<option value=\"scan_conversion\">Scan conversion</option>"));
   EXPECT_LT(page.find("id=\"c\""), page.find("id=\"b\"")) << "chapters in the order of their first card";
 }

@@ -428,7 +428,7 @@ TEST(WorksheetMoodle, EachBlankIsAFieldAndMarksAreAsThePoints) {
   }
   ASSERT_EQ(questions.size(), 4u);
   for (std::size_t q = 0; q < 4; ++q) {
-    const Task& task = students.sheets[q % 2].tasks[q / 2];  // a category a topic, in it the students
+    const Task& task = students.sheets[q % 2].tasks[q / 2];  // a category per topic, in it the students
     const Exercise& exercise = task.variant->exercise;
     const std::vector<Field> fields = fields_in(questions[q]);
     ASSERT_EQ(static_cast<int>(fields.size()), exercise.blanks());

@@ -24,7 +24,7 @@ struct Piece {
   double left = 0, right = 0;  ///< its depths at the sides of the pixel
 };
 
-/// "f0f0f0f0", two digits a row.
+/// "f0f0f0f0", two digits per row.
 inline std::string hex_of(Mask mask) { return fmt::format("{:08x}", mask); }
 
 /// The pixel, 21 units wide and high, its rows downwards.

@@ -1,5 +1,5 @@
 #pragma once
-// A star of thin triangles by one sample a pixel and by an A-buffer, magnified below, with what the lists
+// A star of thin triangles by one sample per pixel and by an A-buffer, magnified below, with what the lists
 // take.
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
-// Whole pictures beside each other: without antialiasing, adaptive, and with a colour a sample; and a needle
-// that loses its area with few samples.
+// Whole pictures beside each other: without antialiasing, adaptive, and with a colour per sample; and a
+// needle that loses its area with few samples.
 
 #include "stories/antialiasing/adaptive/subject.hpp"
 #include "stories/picture_shelf.hpp"

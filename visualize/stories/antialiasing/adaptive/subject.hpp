@@ -22,7 +22,7 @@ struct Subject {
   std::vector<ScreenTriangle> triangles{};
   std::vector<Rgba8> colors{};
   ivec2 size{8, 8};
-  int count = 8;  ///< samples a pixel
+  int count = 8;  ///< samples per pixel
   std::vector<ivec2> places{};
   ivec2 pixel{0, 0};       ///< the one that is drawn large
   bool chequered = false;  ///< the first face has a chequered surface

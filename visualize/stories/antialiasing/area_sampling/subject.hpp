@@ -92,7 +92,7 @@ inline Window window_of(const Arguments& arguments) {
 struct InPixel {
   std::vector<std::string> names;
   std::vector<ScreenTriangle> triangles;
-  std::vector<double> grey;  ///< the light that each adds to the pixel a unit of area
+  std::vector<double> grey;  ///< the light that each adds to the pixel per unit of area
 };
 
 inline InPixel in_pixel_of(const Arguments& arguments) {

@@ -168,8 +168,8 @@ class FineScene {
 
  private:
   static constexpr double pi = 3.14159265358979323846;
-  /// A tenth of a wave a pixel less than there are samples across, a little aslant; or rings round the upper
-  /// left corner, which reach as many waves as samples 25 pixels away.
+  /// A tenth of a wave per pixel less than there are samples across, a little aslant; or rings round the
+  /// upper left corner, which reach as many waves as samples 25 pixels away.
   double phase(dvec2 p) const {
     return rings_ ? across_ / 50.0 * (p.x * p.x + p.y * p.y) : (across_ - 0.1) * p.x + 0.06 * p.y;
   }
@@ -185,7 +185,7 @@ struct PictureTaken {
   double wave, noise;
 };
 
-/// Pixels a side of a picture, and of its part that is magnified.
+/// Pixels per side of a picture, and of its part that is magnified.
 inline constexpr int picture_side = 30, crop_side = 10;
 
 inline std::vector<double> picture_by(Pattern pattern, int count, std::uint64_t seed,

@@ -1,6 +1,6 @@
 #pragma once
-// Pictures of test patterns: from few samples a pixel beside the mean over the pixel, and four artefacts in a
-// row.
+// Pictures of test patterns: from few samples per pixel beside the mean over the pixel, and four artefacts in
+// a row.
 
 #include "antialiasing/sampling_theorem/test_patterns.hpp"
 #include "core/geometry.hpp"
@@ -41,7 +41,7 @@ inline void lay_pictures(Narrator& narrator, ivec2 size) { narrator.whole_grid({
 
 // --- One pattern, with more and more samples --------------------------------------------------------------
 
-/// A picture has been taken, with n x n samples a pixel.
+/// A picture has been taken, with n x n samples per pixel.
 struct PictureTaken {
   int n;
   Grey picture;

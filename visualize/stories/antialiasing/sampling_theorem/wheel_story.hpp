@@ -16,7 +16,7 @@ inline Wheel wheel_of(const Arguments& given) {
                     given.integer("shown")};
   if (!(wheel.fps > 0)) refuse("frames", "expected a number above 0, found {}", wheel.fps);
   if (std::abs(wheel.f) > 4 * wheel.fps)
-    refuse(given, {"revolutions", "frames"}, "expected at most 4 revolutions a frame");
+    refuse(given, {"revolutions", "frames"}, "expected at most 4 revolutions per frame");
   return wheel;
 }
 

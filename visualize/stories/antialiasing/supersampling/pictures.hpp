@@ -1,6 +1,6 @@
 #pragma once
 // Pictures of the same scene beside each other, with a part of each magnified below it: more and more samples
-// a pixel, one filter after the other, and one ray or several.
+// per pixel, one filter after the other, and one ray or several.
 
 #include "stories/antialiasing/supersampling/subject.hpp"
 #include "stories/picture_shelf.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// A sphere over a chequered floor with one ray a pixel, and with n x n: the pixel drawn large whose rays
+// A sphere over a chequered floor with one ray per pixel, and with n x n: the pixel drawn large whose rays
 // differ, each in the colour of what it meets, and their mean.
 
 #include "stories/antialiasing/supersampling/pictures.hpp"

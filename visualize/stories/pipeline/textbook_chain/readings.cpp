@@ -82,7 +82,7 @@ std::string wrong_points(const ReadingInput& input) {
   return places_seen(viewing::points_of_block(number_rows(input.text)));
 }
 
-/// A point a line, as the flags of the command take points.
+/// A point per line, as the flags of the command take points.
 std::string right_points(const ReadingInput& input) {
   std::string text = input.text;
   std::ranges::replace(text, ' ', ',');

@@ -45,7 +45,7 @@ class PictureView {
   }
   const Extent& pixels() const { return pixels_; }
   const Extent& place() const { return panel_.place(); }
-  /// Paper units a pixel.
+  /// Paper units per pixel.
   double unit() const { return panel_.scale().x; }
   /// What is shown on the paper, no more than was asked for.
   Extent drawn() const {

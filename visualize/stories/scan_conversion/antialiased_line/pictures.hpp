@@ -48,7 +48,7 @@ inline int telling_line(Drawn method) {
   return 0;
 }
 
-/// What a line that goes on for ever in this direction has of ink a unit of length, where 1 is full width.
+/// What a line that goes on for ever in this direction has of ink per unit of length, where 1 is full width.
 inline double ink_of(Drawn method, ivec2 way) {
   const auto sum_of = [&](int times) {
     std::int64_t sum = 0;

@@ -14,7 +14,7 @@
 namespace gradus::flood_fill {
 
 struct Subject {
-  std::shared_ptr<const Image> picture{};  ///< for a maze: one colour a kind of cell
+  std::shared_ptr<const Image> picture{};  ///< for a maze: one colour per kind of cell
   bool is_maze = false;
   Maze maze{};
   ivec2 seed;

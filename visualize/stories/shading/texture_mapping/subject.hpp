@@ -82,7 +82,7 @@ Picture picture_of(const Subject& subject, const Filter& filter) {
   return picture;
 }
 
-/// The same with 16 x 16 samples a pixel: what the filters are measured by.
+/// The same with 16 x 16 samples per pixel: what the filters are measured by.
 inline Picture supersampled(const Subject& subject) {
   constexpr int samples = 16;
   Picture picture;

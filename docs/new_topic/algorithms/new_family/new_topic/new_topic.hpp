@@ -34,7 +34,7 @@ struct Finished {
 
 /// FILL IN: what it does; then author, title, year and page of the source.
 ///
-/// from, to: any int32 coordinates. plot(ivec2) is called once a pixel, in order from `from` to `to`, both
+/// from, to: any int32 coordinates. plot(ivec2) is called once per pixel, in order from `from` to `to`, both
 ///   included.
 ///
 /// Domain: everything; from == to gives one pixel.
