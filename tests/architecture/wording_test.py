@@ -14,7 +14,14 @@ import project
 
 # "so did the other" is no joint
 JOINT = r"; so (?!did\b|do\b|does\b|has\b|have\b|had\b|is\b|are\b|was\b|were\b|can\b|must\b|with\b)"
+# "100 a pixel", "a byte a cell", "once a frame"; not "how many samples a pixel has", "times a vertex", "0 a pixel away"
+MEASURE = (r"(?<!many )(?:samples?|rays?|texels?|lights|plots?|bytes?|bits?|ns|us|(?:nano|micro|milli)seconds?|ulp|u|roundings?|"
+           r"divisions?|multiplications?|additions?|products?|comparisons?|operations?|questions?|tests?|once|one|row|page|cycles?|"
+           r"revolutions?|colours?|numbers?|sentences?|(?<![\d.,])[1-9](?:[\d.,]*\d)?|\{\}|times(?! an? (?:vertex|factor)))")
+OF_EACH = (r"(?:pixel|sample|face|vertex|polygon|fragment|place|cycle|column|row|cell|frame|step|topic|method|corner|edge|triangle|"
+           r"piece|student|side|line|factor|component|entry|coordinate|item|call|run|texel|lamp|revolution|page|inch)")
 ENGLISH = {
+    rf"\b{MEASURE} an? (?:covered |visible )?{OF_EACH}\b(?!'s| on\b)": "per pixel",
     JOINT: "a comma, a colon or two sentences",
     r"\b[Ww]hoever\b": "say who it is, or what it is for",
     r"\bthat there (?:is|are)\b": "that exists, or nothing at all",
@@ -28,8 +35,6 @@ ENGLISH = {
 ENGLISH_TEXTS = {
     **ENGLISH,
     r"\blistings?\b": "listeners see none: the method, the code",
-    r"\b(?:samples?|rays?|texels?|tests?|colours?|lights?|plots?|once|one) an? "
-    r"(?:pixel|sample|face|vertex|polygon|fragment|place|cycle|column)\b": "per pixel",
     r", for (?:it|they|its|their|this|none)\b": "because",
     r"(?<=[A-Za-z\]}])'": "’",
     r'"': "“ and ”",
@@ -48,8 +53,8 @@ GERMAN_TEXTS = {
     r"\bso dass\b": "sodass",
     r"\{bytes\} Byte\b": "Bytes",
 }
-# Texts of releases that are out; the words themselves; faulty variants, near the words of the documents they stand in
-NOT_OURS = re.compile(r"CHANGELOG\.md|tests/architecture/wording_test\.py|.*_notes\.hpp")
+# Texts of releases that are out; the words themselves
+NOT_OURS = re.compile(r"CHANGELOG\.md|tests/architecture/wording_test\.py")
 
 
 def offenders(text, words):
@@ -76,7 +81,14 @@ def comments_of(source, marks):
     return "\n".join(found.group(0) if (found := comment.search(line)) else "" for line in source.split("\n"))
 
 
-MARKS = {".hpp": "//", ".cpp": "//", ".js": r"//|/\*|\*", ".py": '#|"""'}
+# The words of an entry of faults bear no mark, so all of it is read
+MARKS = {".hpp": "//", ".cpp": "//", ".faults": r"\S", ".js": r"//|/\*|\*", ".py": '#|"""'}
+
+
+def strings_of(source):
+    """The texts in double quotes of a source in their lines, without its comments."""
+    return "\n".join(" ".join(re.findall(r'"((?:[^"\\]|\\.)*)"', re.sub(r"(?:^|\s)//.*", "", line)))
+                     for line in source.split("\n"))
 
 
 def files(root, *ends):
@@ -126,6 +138,12 @@ class Wording(unittest.TestCase):
             return comments_of(text, MARKS[path.suffix]) if re.search("|".join(ENGLISH), text) else ""
         self.judge(paths, ENGLISH, comments)
 
+    def test_texts_of_the_command(self):
+        """Help, refusals and names of benchmarks, which stand in the sources."""
+        paths = [path for path in files(project.ROOT, ".hpp", ".cpp") if "tests/unit" not in path.as_posix()]
+        self.assertGreater(len(paths), 600)
+        self.judge(paths, ENGLISH, lambda _, text: strings_of(text) if re.search("|".join(ENGLISH), text) else "")
+
 
 class WhatIsSeen(unittest.TestCase):
     """The forms that stood here once."""
@@ -134,17 +152,21 @@ class WhatIsSeen(unittest.TestCase):
         for text in ("Sample 3 lies outside of A; so it shows what it showed.", "all of them, for whoever chooses one",
                      "a face with corners that have none", "Throws for steps that there are not",
                      "Whether a flag was given; not, too, where the topic has none of this name.",
-                     "The observer nobody is: every algorithm's default.", "an error, whatever it is, ends it"):
+                     "The observer nobody is: every algorithm's default.", "an error, whatever it is, ends it",
+                     "{n} samples a pixel", "light once a face", "100 a pixel", "{} a vertex", "16 bytes a vertex, 60 a piece",
+                     "about 0.3 us a corner", "within 9/4 ulp a component", "a colour a covered sample", "n times a revolution"):
             self.assertTrue(offenders(text, ENGLISH), text)
         for text in ("The first has passed, and so did the other; so did a third.", "It has none but plain locals.",
-                     "whatever the order of the faces", "Each lies outside its box."):
+                     "whatever the order of the faces", "Each lies outside its box.", "{n} samples per pixel", "half of a pixel",
+                     "how many samples a pixel has", "M times a vertex", "0 a pixel away", "25 frames a second", "one a step on",
+                     "light that a fragment gets", "a plane cuts an edge", "at 32 a line's start"):
             self.assertFalse(offenders(text, ENGLISH), text)
 
     def test_english_texts(self):
-        for text in ("so the listing skips it", "{n} samples a pixel", "light once a face", "the textbook's", "{name}'s side",
+        for text in ("so the listing skips it", "the textbook's", "{name}'s side",
                      "all are the nearest ones, for this line is short enough", '"and" leaves them'):
             self.assertTrue(offenders(text, ENGLISH_TEXTS), text)
-        for text in ("{n} samples per pixel", "the textbook’s", "half of a pixel", "ready for this line"):
+        for text in ("the textbook’s", "ready for this line"):
             self.assertFalse(offenders(text, ENGLISH_TEXTS), text)
 
     def test_german_texts(self):
@@ -160,6 +182,9 @@ class WhatIsSeen(unittest.TestCase):
         self.assertTrue(offenders(comments_of("int a;  ///< whoever reads it", MARKS[".hpp"]), ENGLISH))
         self.assertTrue(offenders(comments_of("x = 1  # whoever reads it", MARKS[".py"]), ENGLISH))
         self.assertFalse(offenders(comments_of('say("for whoever");', MARKS[".hpp"]), ENGLISH))
+        self.assertTrue(offenders(comments_of("FAULTY: for\nwhoever looks", MARKS[".faults"]), ENGLISH))
+        self.assertTrue(offenders(strings_of('refuse("a \\"pixel\\" has none");  // said'), ENGLISH))
+        self.assertFalse(offenders(strings_of('refuse("it");  // for "whoever"'), ENGLISH))
         self.assertTrue(offenders(captions_of('"name": "a",\n"caption": "the notes\' \\"b\\" c"\n'), ENGLISH_TEXTS))
         self.assertTrue(offenders(texts_of("a = whoever\n# no text\nb = c"), ENGLISH))
         self.assertFalse(offenders(texts_of("whoever = a\n# whoever"), ENGLISH))

@@ -49,7 +49,7 @@ def test_a_lecture_becomes_figures():
         + [f"topics/scan_conversion/{topic}.html" for topic in ("bresenham_line", "flood_fill")]), "the files")
     pages = [subprocess.run(["qpdf", "--show-npages", f"out/{name}/{name}.pdf"], capture_output=True, check=True).stdout
              for name in ("bresenham_line", "bresenham_line_2")]
-    equal(pages, [b"10\n", b"3\n"], "a page a step")
+    equal(pages, [b"10\n", b"3\n"], "a page per step")
     page = pathlib.Path("out/index.html").read_text(encoding="utf-8")
     check("<title>Lecture &lt;3&gt;: " in page and "<h1>Lecture &lt;3&gt;</h1>" in page, "the title, escaped")
     check("&lt;script&gt;alert(1)&lt;/script&gt; &amp; more" in page and "<script>alert" not in page, "the caption, escaped")
@@ -313,7 +313,7 @@ def test_labels_of_a_lecture_serve_its_topics():
 
 def test_symbols_of_topics_that_have_none():
     painter = {"topic": "painter", "input": {}}
-    none = "expected no symbol, for painter has none, found 'p'"
+    none = "expected no symbol: painter uses none, found 'p'"
     for lecture, where in ((figures({**painter, "notation": {"symbols": {"p": "d"}}}), "figures[0].notation.symbols.p"),
                            (figures(painter, notation={"symbols": {"p": "d"}}), "notation.symbols.p"),
                            (figures({**painter, "notation": {"symbols": {"painter": {"p": "d"}}}}), "figures[0].notation.symbols.painter.p"),

@@ -299,7 +299,7 @@ void Comparison::compare_step(std::size_t i) {
     if (value && agree(*value, field.value, tolerance_)) continue;
     wrong.push_back(value
                         ? fmt::format("{} is {}, ours {}", field.name, text_of(field.value), text_of(*value))
-                        : fmt::format("{} is {}, ours has none", field.name, text_of(field.value)));
+                        : fmt::format("{} is {}, ours lacks it", field.name, text_of(field.value)));
   }
   if (wrong.empty()) return;
   const auto cell = [](const Values& values) -> std::optional<ivec2> {

@@ -45,7 +45,7 @@ class Translator {
   }
   [[noreturn]] void refuse_name(const JsonMember& member, const std::vector<std::string>& known) const {
     refuse_answer(answers_, member.line, "",
-                  known.empty() ? "a result of this topic, which has none: only steps"
+                  known.empty() ? "no result: this topic has steps alone"
                                 : fmt::format("one of {}", fmt::join(known, ", ")),
                   shown(member.key) + suggestion(member.key, known));
   }

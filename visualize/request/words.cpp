@@ -63,7 +63,7 @@ std::string read_numbers(Wording& wording, const std::string& text) {
 
 std::string expected_symbol(std::string_view topic) {
   const SymbolTexts symbols = topic_symbols(topic);
-  if (symbols.empty()) return fmt::format("no symbol, for {} has none", topic);
+  if (symbols.empty()) return fmt::format("no symbol: {} uses none", topic);
   return fmt::format("one of the symbols {}", fmt::join(symbols, ", "));
 }
 

@@ -45,7 +45,7 @@ const Method& method_of(const TopicEntry& topic, const Arguments& arguments) {
 void require(const Method& method, const Arguments& arguments) {
   for (const std::string& name : method.without) {
     if (arguments.has(name) && !arguments.text(name).empty())
-      refuse(name, "method {} has none{}{}", method.name, method.why_without.empty() ? "" : ": ",
+      refuse(name, "method {} takes none{}{}", method.name, method.why_without.empty() ? "" : ": ",
              method.why_without);
   }
   for (const AtMost& limit : method.within) {

@@ -108,13 +108,13 @@ inline dvec3 mixed_channels(const dvec3& colour, double sigma) {
 /// and move by (n - 1)/2 sub-cells, since the first of a block is not its middle.
 ///
 /// size: of the finished picture. n: how many times larger. image(ivec2): its pixels, numbers or vectors of
-///   numbers. plot(ivec2, value): called once a pixel, row by row.
+///   numbers. plot(ivec2, value): called once per pixel, row by row.
 ///
 /// Domain: size >= 1 each way, 1 <= n <= most.
 /// Steps: Replicated Blurred FirstTaken+.
 /// Accuracy: none; of a picture of one colour right.
-/// Cost: n^2 (8 n + 4) products a pixel, memory three larger pictures.
-/// Errors: ContractViolation outside of the domain.
+/// Cost: n^2 (8 n + 4) products per pixel, memory three larger pictures.
+/// Errors: ContractViolation outside the domain.
 template <class Image, class Plot, class Value = std::remove_cvref_t<std::invoke_result_t<Image, ivec2>>,
           Observer<Replicated<Value>, Blurred<Value>, FirstTaken<Value>> O = Unobserved>
 void upsampled_image(ivec2 size, int n, const Image& image, Plot&& plot, O&& observer = {}) {

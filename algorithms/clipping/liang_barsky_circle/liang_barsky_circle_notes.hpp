@@ -18,7 +18,7 @@ struct Solved {
 };
 
 /// FAULTY: with D > 0 it takes the segment for the line, and never asks whether anything is left.
-/// The notes' first listing (errata E001-26e): (2,0)-(3,0) gives (2,0)-(1,0) in the unit circle, outside of
+/// The notes' first listing (errata E001-26e): (2,0)-(3,0) gives (2,0)-(1,0) in the unit circle, outside
 /// both; that a negative radius behaves like a positive one is E001-26i.
 ///
 /// segment, circle: any; nothing is refused.

@@ -123,7 +123,7 @@ void tell_recursive(Narrator& narrator) {
 /// The notes' listing that reads the seed wherever it lies.
 void tell_unchecked(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
-  if (subject.tolerance != 0) refuse("tolerance", "method unchecked_seed has none");
+  if (subject.tolerance != 0) refuse("tolerance", "method unchecked_seed takes none");
   if (!room.contains(subject.seed)) refuse("at", "expected a cell two away from the ends of int32");
   Image image = subject.image();
   const std::int64_t index = row_major(image, subject.seed);

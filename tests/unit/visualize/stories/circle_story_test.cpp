@@ -265,7 +265,7 @@ TEST(CircleStory, MistakesAreNamed) {
       mistake({{"center", "2147483640,0"}, {"radius", "8"}}),
       "radius: a radius of at most 7 round 2147483640,0 without a window, for pixels are int32, found 8");
   EXPECT_EQ(mistake({{"method", "late_update"}, {"window", "0,0,9,9"}}),
-            "window: method late_update has none: it walks to every pixel");
+            "window: method late_update takes none: it walks to every pixel");
   EXPECT_EQ(mistake({{"method", "late_update"}, {"radius", "20001"}}),
             "radius: method late_update is watched from its start, so at most 20000, found 20001");
   EXPECT_EQ(mistake({{"radius", "2147483647"}, {"window", "-2147483648,-2147483648,2147483647,2147483647"}}),
