@@ -15,13 +15,14 @@ import project
 # "so did the other" is no joint
 JOINT = r"; so (?!did\b|do\b|does\b|has\b|have\b|had\b|is\b|are\b|was\b|were\b|can\b|must\b|with\b)"
 # "100 a pixel", "a byte a cell", "once a frame"; not "how many samples a pixel has", "times a vertex", "0 a pixel away"
-MEASURE = (r"(?<!many )(?:samples?|rays?|texels?|lights|plots?|bytes?|bits?|ns|us|(?:nano|micro|milli)seconds?|ulp|u|roundings?|"
-           r"divisions?|multiplications?|additions?|products?|comparisons?|operations?|questions?|tests?|once|one|row|page|cycles?|"
-           r"revolutions?|colours?|numbers?|sentences?|(?<![\d.,])[1-9](?:[\d.,]*\d)?|\{\}|times(?! an? (?:vertex|factor)))")
-OF_EACH = (r"(?:pixel|sample|face|vertex|polygon|fragment|place|cycle|column|row|cell|frame|step|topic|method|corner|edge|triangle|"
-           r"piece|student|side|line|factor|component|entry|coordinate|item|call|run|texel|lamp|revolution|page|inch)")
+MEASURE = (r"(?<!many )(?:\b(?:samples?|rays?|texels?|lights|plots?|bytes?|bits?|ns|us|(?:nano|micro|milli)seconds?|ulp|u|"
+           r"roundings?|divisions?|multiplications?|additions?|products?|comparisons?|operations?|questions?|tests?|once|one|"
+           r"row|page|cycles?|revolutions?|colours?|numbers?|sentences?|times(?! an? (?:vertex|factor)))|"
+           r"(?<![\d.,])[1-9](?:[\d.,]*\d)?|\{\})")
+OF_EACH = (r"(?:pixel|sample|face|vertex|polygon|fragment|place|cycle|column|row|cell|frame|step|topic|method|corner|edge|"
+           r"triangle|piece|student|side|line|factor|component|entry|coordinate|item|call|run|texel|lamp|revolution|page|inch)")
 ENGLISH = {
-    rf"\b{MEASURE} an? (?:covered |visible )?{OF_EACH}\b(?!'s| on\b)": "per pixel",
+    rf"{MEASURE} an? (?:covered |visible )?{OF_EACH}\b(?!'s| on\b)": "per pixel",
     JOINT: "a comma, a colon or two sentences",
     r"\b[Ww]hoever\b": "say who it is, or what it is for",
     r"\bthat there (?:is|are)\b": "that exists, or nothing at all",
