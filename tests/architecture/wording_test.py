@@ -47,12 +47,14 @@ GERMAN_TEXTS = {
     r"\b(?:einen|jede[rn]|denselben|derselbe|diese[rn]) (?:fertigen? )?Pixel\b": "das Pixel",
     r"\bAugenraum|\bClip-Raum|\bSichtlinie|\bBildzeile|\bwaagrecht": "Sichtraum, Clipraum, Sehstrahl, Rasterzeile, waagerecht",
     r"\b(?:du|dir|dich|dein\w*)\b|\w+en Sie\b": "unpersönlich",
-    r"(?:^|[:.;] )(?:Addiere|Beginne|Berechne|Bringe|Dividiere|Färbe|Finde|Fülle|Gehe|Gewichte|Gib|Lass|Male|Merke|Nimm|"
+    r"(?:^|[:.;] )(?:Addiere|Beginne|Berechne|Bringe|Dividiere|Färbe|Finde|Fülle|Gehe|Gewichte|Gib|Glätte|Lass|Male|Merke|Nimm|"
     r"Ordne|Setze|Sieh|Teile|Zeichne)\b": "unpersönlich: ein Infinitiv, „Beginn bei“",
     r"(?<=\w)'(?=\w)": "’",
     r'"': "„ und “",
     r"\bso dass\b": "sodass",
     r"\{bytes\} Byte\b": "Bytes",
+    r"\büberdeck(?:t|en)\b": "bedeckt",
+    r"\b(?:der|einen|jeder|nächster|neuer) Texel\b(?! (?:um|jeder|der|liegen)\b)": "das Texel",
 }
 # Texts of releases that are out; the words themselves
 NOT_OURS = re.compile(r"CHANGELOG\.md|tests/architecture/wording_test\.py")
@@ -173,7 +175,7 @@ class WhatIsSeen(unittest.TestCase):
     def test_german_texts(self):
         for text in ("außerhalb; also zeigt er", "ist 0, also liegt", "9 Proben wurden genommen", "das Listing hört auf",
                      "sieht denselben fertigen Pixel", "in jeden Pixel", "längs der Sichtlinien", "deine Antwort",
-                     "Füllen Sie die Felder aus", "Zeichne die Pixel", "so dass keines", "der Start's", "{bytes} Byte"):
+                     "Füllen Sie die Felder aus", "Zeichne die Pixel", "Glätte ein Polygon", "das Dreieck überdeckt", "nächster Texel", "so dass keines", "der Start's", "{bytes} Byte"):
             self.assertTrue(offenders(text, GERMAN_TEXTS), text)
         for text in ("das Pixel", "in jedem Pixel", "Sie liegt innen", "Die Zeichnung", "ein Abtastpunkt", "Startwert {seed}",
                      "von der Stelle"):

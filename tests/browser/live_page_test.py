@@ -384,7 +384,7 @@ def ends_what_takes_too_long(check, page):
     page.open('#topic=bresenham_line')
     said = page.run('''return workbench.asker.ask({want: "trace", topic: "supersampling", arguments: {method: "filters"}}, 60)
         .then(() => "answered", (error) => error.message)''')
-    check.that('what takes too long is ended', 'was ended' in said, said)
+    check.that('what takes too long is ended', 'was stopped' in said, said)
     page.run('return workbench.change({to: "5,2"}).then(() => workbench.commit()).then(() => null)')
     check.equal('and the page lives on', [page.refusal(), page.run('return player.run.trace.arguments.find(([n]) => n === "to")[1]')], ['', '5,2'])
     said = page.run('''return workbench.asker.ask({want: "run", topic: "bresenham_line", arguments: {from: "x"}})
