@@ -12,9 +12,9 @@ namespace {
 
 /// Beyond which plane or side something lies.
 std::string_view beyond_text(Side side) {
-  constexpr std::array<std::string_view, 6> texts{"beyond the left side",  "beyond the right side",
-                                                  "below the lower side",  "above the upper side",
-                                                  "before the near plane", "behind the far plane"};
+  constexpr std::array<std::string_view, 6> texts{"beyond the left side",       "beyond the right side",
+                                                  "below the lower side",       "above the upper side",
+                                                  "in front of the near plane", "behind the far plane"};
   return texts[static_cast<std::size_t>(side)];
 }
 

@@ -23,7 +23,7 @@ std::int64_t count_of(const auto& list) { return std::ssize(list); }
 
 // --- Order -----------------------------------------------------------------------------------------
 
-/// The objects that are drawn, from the nearest on; those that reach before the near plane first.
+/// The objects that are drawn, from the nearest on; those that reach in front of the near plane first.
 std::vector<int> front_to_back(const Plan& plan) {
   std::vector<int> order(plan.objects.size());
   std::iota(order.begin(), order.end(), 0);

@@ -1,6 +1,6 @@
 #pragma once
-// Stage 5, clipping: what lies before the near plane, behind the far plane or far beside the picture is cut
-// off in clip space. Only then comes the division.
+// Stage 5, clipping: what lies in front of the near plane, behind the far plane or far beside the picture is
+// cut off in clip space. Only then comes the division.
 
 #include <algorithm>
 #include <array>

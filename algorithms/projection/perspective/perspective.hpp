@@ -41,8 +41,8 @@ constexpr bool finite(const T&... numbers) {
   return (... && (numbers - numbers == T(0)));
 }
 
-/// Whether a point of view space, or one of clip space, lies before the eye: at a depth above 0. NaN does
-/// not.
+/// Whether a point of view space, or one of clip space, lies in front of the eye: at a depth above 0. NaN
+/// does not.
 template <class T>
 constexpr bool before_eye(const Point3<T>& view) {
   return view.z > T(0);
@@ -92,7 +92,7 @@ struct Unseen {
 /// Errors: ContractViolation when d <= 0 or NaN.
 template <class T, Observer<Scaled<T>, Projected<T>, Unseen<T>> O = Unobserved>
 std::optional<Point3<T>> project(T d, Point3<T> p, O&& observer = {}) {
-  expects(d > T(0), "the picture plane lies before the eye, at a distance above 0");
+  expects(d > T(0), "the picture plane lies in front of the eye, at a distance above 0");
   if (!before_eye(p)) {
     if constexpr (observed<O>) observer(Unseen<T>{p});
     return no_image;
@@ -118,7 +118,7 @@ std::optional<Point3<T>> project(T d, Point3<T> p, O&& observer = {}) {
 /// Errors: ContractViolation when d <= 0 or NaN.
 template <class T>
 glm::mat<4, 4, T> matrix_onto(T d) {
-  expects(d > T(0), "the picture plane lies before the eye, at a distance above 0");
+  expects(d > T(0), "the picture plane lies in front of the eye, at a distance above 0");
   const T o = T(0), i = T(1);
   return {{i, o, o, o}, {o, i, o, o}, {o, o, i, i / d}, {o, o, o, o}};
 }
@@ -236,7 +236,7 @@ Point4<T> transform(const Projection<T>& p, Point3<T> v, O&& observer = {}) {
 /// Errors: ContractViolation when w <= 0 or NaN.
 template <class T, Observer<Divided<T>> O = Unobserved>
 Point3<T> divide(Point4<T> clip, O&& observer = {}) {
-  expects(before_eye(clip), "only points before the eye can be divided, this one has a w of 0 or less");
+  expects(before_eye(clip), "only points in front of the eye can be divided, this one has a w of 0 or less");
   // The division
   const T x = clip.x / clip.w;
   const T y = clip.y / clip.w;
@@ -252,12 +252,12 @@ struct LeftUndivided {
   Point4<T> clip;  ///< w <= 0
 };
 
-/// The image of any point: multiplied, tested, and divided only where it lies before the eye.
+/// The image of any point: multiplied, tested, and divided only where it lies in front of the eye.
 ///
 /// p: see projection_of. v: any point of view space.
 ///
-/// Domain: everything; nothing for w <= 0 and NaN. Of a segment with one end there, the part before the eye
-///   runs to infinity in the picture: it is clipped against the near plane before the division.
+/// Domain: everything; nothing for w <= 0 and NaN. Of a segment with one end there, the part in front of the
+///   eye runs to infinity in the picture: it is clipped against the near plane before the division.
 /// Steps: Multiplied (Divided | LeftUndivided).
 /// Accuracy: as transform and divide.
 /// Cost: as transform and divide.

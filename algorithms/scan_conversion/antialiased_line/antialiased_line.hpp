@@ -131,7 +131,7 @@ constexpr void wu(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
     // The fraction is the far one's
     far = first_byte(place);
     if constexpr (observed<O>) observer(Paired{k, sum - slope, place, over, front, back, full - far, far});
-    // A middle column is one end's
+    // A middle column is drawn once
     bool both = 2 * k != size.dx;
     if (both || go.tie) {
       pair(front, aside);

@@ -77,7 +77,7 @@ glm::dvec4 seen_point(Random& random) {
   const double z = p.z + 50;
   return {1.5 * p.x, 2 * p.y, (100 * z - 100) / 99, z};
 }
-/// Of numbers of the kind, often before the eye and not far outside.
+/// Of numbers of the kind, often in front of the eye and not far outside.
 glm::dvec4 sized_point(Kind kind, Random& random) {
   const auto any = [&] { return number(kind, random); };
   const double x = any(), y = any(), z = any();
@@ -201,8 +201,8 @@ auto volume_part(const Segment<4, T>& line, const BorderOrder<3>& order = usual_
   return cohen_sutherland_3d::correctly_rounded(line, ViewVolume{}, order);
 }
 
-/// 0 where the reverse is the reverse, again changes nothing, all lies in the volume before the eye, six cuts
-/// do, and the faces' order does not matter.
+/// 0 where the reverse is the reverse, again changes nothing, all lies in the volume in front of the eye, six
+/// cuts do, and the faces' order does not matter.
 template <class T>
 double volume_relations(const Segment<4, T>& line, const std::optional<Segment<4, T>>& part) {
   const auto back = volume_part(test::reversed(line));
@@ -256,8 +256,8 @@ double volume_rationals_error(const Input& input) {
   return 0;
 }
 
-/// The exact projection of a segment before the eye, clipped to the box -1 <= x, y <= 1, 0 <= z <= 1: by the
-/// values of t along the projection.
+/// The exact projection of a segment in front of the eye, clipped to the box -1 <= x, y <= 1, 0 <= z <= 1: by
+/// the values of t along the projection.
 std::optional<test::ExactEnds<3>> exact_projection(const Homogeneous& line) {
   test::ExactEnds<3> ends;
   for (int k = 0; k < 3; ++k) {
@@ -301,7 +301,7 @@ Property volume_promise(const char* name, const char* states, double (*error)(co
           .traps = {{"w goes through 0", {-2, 0, 1, 2, 2, 0, 0, -2}},
                     {"wholly behind the eye", {0, 0, -1, -2, 1, 1, -2, -3}},
                     {"ends in the eye's plane", {0, 0, 0.5, 1, 1, 0, 0, 0}},
-                    {"z = 1e-310 before the eye", {1, 0, 1e-310, 1e-310, 0, 0, 1, 2}},
+                    {"z = 1e-310 in front of the eye", {1, 0, 1e-310, 1e-310, 0, 0, 1, 2}},
                     {"a sum of w and x overflows", {1e308, 0, 1, 1.5e308, -1.7e308, 1, 2, 1.5e308}},
                     {"an end rounds to (0, 0, 0, 0)", {0x1p-1074, 0, 0x1p-1074, 0, -1, 1 - 0x1p-52, -1, 1}},
                     {"no point", {0, 0, 0, 0, 1, 0, 0, 1}},
@@ -317,7 +317,7 @@ Property volumes() {
   Property promised =
       volume_promise("view_volume",
                      "before the division: accepts and rejects exactly; every end is the nearest "
-                     "double, before the eye; again changes nothing",
+                     "double, in front of the eye; again changes nothing",
                      volume_error<double>);
   const auto is_behind = [](const Homogeneous& s) { return s.a.w <= 0 && s.b.w <= 0; };
   promised.shares = {

@@ -153,7 +153,7 @@ double plane_error(const Input& i) {
   return worst;
 }
 
-/// Three corners and how far out the guard planes lie; mostly before the eye, some very far away.
+/// Three corners and how far out the guard planes lie; mostly in front of the eye, some very far away.
 Input volume_input(Kind, Random& random) {
   Input input;
   for (int corner = 0; corner < 3; ++corner) {
@@ -396,7 +396,7 @@ Property volumes() {
   property.kinds = {Kind::random};
   property.shares = {
       {"within 1e-14, or a corner more or fewer", 0.999, [off](const Input& i) { return off(i) < 1e-14; }},
-      {"all before the eye", 1,
+      {"all in front of the eye", 1,
        [](const Input& i) {
          return std::ranges::all_of(volume_part<double>(i), [](const auto& p) { return p.at.w > 0; });
        }},

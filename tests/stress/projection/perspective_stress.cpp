@@ -123,7 +123,7 @@ double transform_error(const std::vector<T>& i) {
   look_at(clip.x, x, x, 0);
   look_at(clip.y, y, y, 0);
   if (fits<T>(product)) look_at(clip.z, z, product, abs(z) * (Exact(1) + Exact(2) * u));
-  // The division, before the eye
+  // The division, in front of the eye
   const auto tested = divide_tested(p, view);
   const auto ndc = accepted([&] { return divide(clip); });
   if (tested != ndc || ndc.has_value() != (view.z > 0)) return wrong;
@@ -248,7 +248,7 @@ double stored_error(const Input& i) {
 
 // --- What stays straight ---------------------------------------------------------------------------------
 
-/// The near plane, how far behind it the far one is, three points before the eye, and two shares.
+/// The near plane, how far behind it the far one is, three points in front of the eye, and two shares.
 Input triangle_before_eye(Kind kind, Random& random) {
   Input input = small_fractions(13, kind, random);
   for (const std::size_t k : {0u, 1u, 4u, 7u, 10u}) input[k] = std::abs(input[k]) + 0.5;
@@ -364,7 +364,7 @@ Domain perspective() {
                   {"the axis, nearly in the eye", {1, 0, 0, 1e-310}},
                   {"no distance", {0, 1, 1, 1}},
                   {"a depth that is no number", {1, 1, 1, std::nan("")}}},
-        .shares = {{"before the eye", 0.4, [](const Input& i) { return i[3] > 0; }},
+        .shares = {{"in front of the eye", 0.4, [](const Input& i) { return i[3] > 0; }},
                    {"at or behind it", 0.1, [](const Input& i) { return i[3] <= 0; }},
                    {"in the plane", 0.05, [](const Input& i) { return i[3] == i[0] && i[0] > 0; }}}},
        {.name = "vanishing_point",

@@ -34,7 +34,8 @@ bool are_same(const Parts<T>& one, const Parts<T>& other) {
 }
 
 /// Whether along rays to the middle of every part no later polygon lies farther than an earlier one, by more
-/// than a little. hit: where the ray from a place along a way meets a polygon, if it does before the eye.
+/// than a little. hit: where the ray from a place along a way meets a polygon, if it does in front of the
+/// eye.
 template <class T, class Hit>
 bool covers_none(const Parts<T>& order, const glm::vec<4, T>& eye, const T& little, const Hit& hit) {
   const bool distant = eye.w == T{0};

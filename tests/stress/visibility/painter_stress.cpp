@@ -56,7 +56,7 @@ Input scene(Kind kind, Random& random) {
   return input;
 }
 
-/// All corners lie before the eye.
+/// All corners lie in front of the eye.
 bool is_scene(const Input& i) {
   const auto within = [](double most) { return [=](double x) { return std::abs(x) <= most; }; };
   const auto eye = i.end() - 4;

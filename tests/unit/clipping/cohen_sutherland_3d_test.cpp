@@ -216,7 +216,7 @@ TEST(CohenSutherland3d, RefusesByName) {
 // --- The view volume -------------------------------------------------------------------------------------
 
 TEST(CohenSutherland3dVolume, CutsBeforeTheDivision) {
-  // From before the eye to behind it: the piece ends at the right face, with x = w
+  // From in front of the eye to behind it: the piece ends at the right face, with x = w
   const Homogeneous line{{0, 0, 0.5, 1}, {2, 0, 0, -1}};
   const auto part = correctly_rounded(line, volume);
   ASSERT_TRUE(part);

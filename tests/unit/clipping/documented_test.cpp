@@ -158,7 +158,7 @@ TEST(DocumentedClipping, CutsOfCutsInSpace) {
                      {wrong_decisions<3>(cuts_in_space, 20'000) / 200.0}));
 }
 
-/// Segments of homogeneous points before the eye, most of which cross the view volume's sides.
+/// Segments of homogeneous points in front of the eye, most of which cross the view volume's sides.
 Segment<4, double> before_the_eye(Random& random) {
   const auto point = [&] {
     const double w = random.uniform(0.1, 100);

@@ -206,7 +206,7 @@ TEST(Plan, TellsWhyAStageIsLeftOut) {
             "1 run\n2 run\n3 run\n4 run (closed and outward: backs are never seen)\n"
             "5 skip (wholly between the planes: nothing is cut)\n6 run\n"
             "7 part (light 2 of 2 beyond its range; no highlight: k_s = 0; no texture)\n");
-  // Beside the cube, from before the near plane into the range of the second lamp
+  // Beside the cube, from in front of the near plane into the range of the second lamp
   scene.objects[1] = wall_at(2, 1, 1);
   scene.objects[1].placement = affine_3d::translation(dvec3{2, 0, 2}) *
                                affine_3d::rotation(dvec3{1, 0, 0}, 1.2) * affine_3d::scaling(dvec3{1.2});

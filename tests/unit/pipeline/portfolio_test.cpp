@@ -171,7 +171,7 @@ TEST(Portfolio, MovingAllMovesNothingApart) {  // R002-015
 TEST(Portfolio, TheFarPlaneIsTheRenderDistance) {  // R002-018
   EXPECT_GT(pixels_shown(scene_of_objects({square_at(49999, 9000)})), 100);
   EXPECT_EQ(pixels_shown(scene_of_objects({square_at(50001, 9000)})), 0);
-  EXPECT_EQ(pixels_shown(scene_of_objects({square_at(0.05, 1)})), 0) << "before the near plane";
+  EXPECT_EQ(pixels_shown(scene_of_objects({square_at(0.05, 1)})), 0) << "in front of the near plane";
   EXPECT_EQ(pixels_shown(scene_of_objects({square_at(-5, 1)})), 0) << "behind the eye";
 }
 

@@ -26,7 +26,7 @@ TEST(Perspective, Goldens) {
 }
 
 TEST(Perspective, MultipliesWhatMayNotBeDivided) {
-  // G004-10, G004-11: behind the eye w is negative, before the near plane z is
+  // G004-10, G004-11: behind the eye w is negative, in front of the near plane z is
   const glm::dvec4 behind = transform(golden(), dvec3{1, 1, -1});
   EXPECT_EQ(behind.w, -1);
   EXPECT_THROW(divide(behind), ContractViolation);

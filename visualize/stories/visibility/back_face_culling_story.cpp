@@ -224,7 +224,7 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
     add_edge_on(view, lower_place, drawn_normal(), to_eye, along_z);
     add_caption(view, "z caption plane", lower_place, words_.say("caption.plane"));
   }
-  /// Where the corners of the face lie before the eye and behind it.
+  /// Where the corners of the face lie in front of the eye and behind it.
   void add_depths(View& view) const {
     const auto rings = subject_.clip();
     double least = 0, most = 0;
@@ -275,8 +275,8 @@ void set_up(Narrator& narrator, const Subject& subject, By by, bool faulty) {
 void require_places(const Arguments& arguments, const Subject& subject, bool behind_too) {
   if (subject.depths_are([&](double w) { return behind_too ? w != 0 : w > 1e-6 * subject.radius; })) return;
   refuse(arguments, {"eye", "target", "faces"},
-         behind_too ? "corners before the eye or behind it expected, found one beside it"
-                    : "corners before the eye expected, found one behind it: clip first");
+         behind_too ? "corners in front of the eye or behind it expected, found one beside it"
+                    : "corners in front of the eye expected, found one behind it: clip first");
 }
 
 /// What a method looks at.

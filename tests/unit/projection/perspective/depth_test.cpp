@@ -126,7 +126,7 @@ TEST(PerspectiveNotes, WhatLiesBehindTheEyeIsMirrored) {
   for (const double z : {-1.0, -2.0, 0.0, -0.0, -infinity, not_a_number}) {
     EXPECT_EQ(divide_tested(straight, dvec3{1, 1, z}), std::nullopt) << z;
   }
-  // Of the segment (1,0,2)-(1,0,-2) the part before the eye runs from 0.5 to infinity
+  // Of the segment (1,0,2)-(1,0,-2) the part in front of the eye runs from 0.5 to infinity
   double last = 0;
   for (double z = 2; z > 1e-300; z /= 16) {
     const double x = divide_tested(straight, dvec3{1, 0, z})->x;

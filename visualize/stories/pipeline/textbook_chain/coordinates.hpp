@@ -22,7 +22,7 @@ inline std::string multiple_of_w(const Words& words, double factor) {
   return factor == 1 ? w : factor == -1 ? "−" + w : figure_real(factor) + "·" + w;
 }
 
-/// What holds before the near plane: "z < 0".
+/// What holds in front of the near plane: "z < 0".
 inline std::string before_near(const Words& words) {
   const double near = words.notation().depth_of(0), far = words.notation().depth_of(1);
   return fmt::format("{} {} {}", words.symbol("z"), near < far ? "<" : ">", multiple_of_w(words, near));

@@ -96,7 +96,7 @@ void Views::window(View& view, const Panel& panel, const std::string& id) const 
   polygon(view, panel, id, Role::boundary, Extent{{-aspect_, -1}, {aspect_, 1}}.corners());
 }
 
-/// What lies before the eye of a piece, divided for the drawing: right, up, towards the reader.
+/// What lies in front of the eye of a piece, divided for the drawing: right, up, towards the reader.
 std::vector<dvec3> Views::seen_ring(const Piece& piece) const {
   std::vector<glm::dvec4> corners;
   for (const PieceCorner& c : piece.corners)

@@ -40,7 +40,8 @@ TurnedBox box_of(const Arguments& arguments) {
   box.own = vector_of(arguments, "direction");
   for (const dvec3 p : box.solid.corners) {
     const std::optional<dvec3> image = project(box.d, p);
-    if (!image) refuse(arguments, {"at", "turn"}, "expected a place where the whole box is before the eye");
+    if (!image)
+      refuse(arguments, {"at", "turn"}, "expected a place where the whole box is in front of the eye");
     box.images.emplace_back(image->x, image->y);
   }
   return box;

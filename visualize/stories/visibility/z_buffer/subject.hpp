@@ -123,7 +123,7 @@ inline Sight sight_of(const Arguments& arguments) {
   if (!sight.eye) return sight;
   if (sight.eye->z >= 0) refuse("eye", "expected an eye before the picture: its z below 0");
   if (sight.near <= sight.eye->z) {
-    refuse(arguments, {"near", "eye"}, "expected a near plane before the eye, found it behind");
+    refuse(arguments, {"near", "eye"}, "expected a near plane in front of the eye, found it behind");
   }
   return sight;
 }
