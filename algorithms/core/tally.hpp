@@ -19,7 +19,7 @@ namespace gradus {
 template <class O, class Count>
 class Tallied {
  public:
-  explicit Tallied(O& observer) : observer_(observer) {}
+  constexpr explicit Tallied(O& observer) : observer_(observer) {}
 
   template <class Step>
   constexpr void operator()(const Step& step, int line = __builtin_LINE(),

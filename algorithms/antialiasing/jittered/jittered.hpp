@@ -140,10 +140,13 @@ class Coins {
 
 // --- Grids -------------------------------------------------------
 
-/// How many samples the caller wants. Errors: none, or more than most_samples.
-constexpr int count_of(std::span<dvec2> samples) {
+constexpr void expect_count(std::span<dvec2> samples) {
   expects(0 < samples.size() && samples.size() <= most_samples, "a pattern has 1 to {} samples, not {}",
           most_samples, samples.size());
+}
+/// How many samples the caller wants. Errors: none, or more than most_samples.
+constexpr int count_of(std::span<dvec2> samples) {
+  expect_count(samples);
   return static_cast<int>(samples.size());
 }
 
@@ -210,16 +213,17 @@ constexpr void regular(std::span<dvec2> samples, O&& observer = {}) {
 /// Cost: one random number per sample. Errors: expects 1 to most_samples.
 template <Observer<Cut, Placed, Finished> O = Unobserved>
 constexpr void uniform(std::span<dvec2> samples, Random random, O&& observer = {}) {
-  const int n = count_of(samples);
+  expect_count(samples);
   if constexpr (observed<O>) observer(Cut{ivec2(1)});
+  // None minds the others: they
+  // form clumps and leave gaps
   for (dvec2& sample : samples) {
-    // Anywhere in the pixel,
-    // wherever the others lie
+    // Anywhere in the pixel
     const dvec2 u = offsets(random);
     sample = u;
     if constexpr (observed<O>) observer(Placed{index_of(samples, sample), ivec2(0), ivec2(1), u, sample});
   }
-  if constexpr (observed<O>) observer(Finished{n});
+  if constexpr (observed<O>) observer(Finished{count_of(samples)});
 }
 
 /// One sample in each cell of a grid, anywhere in it.

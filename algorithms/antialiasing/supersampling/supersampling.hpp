@@ -283,9 +283,8 @@ Taken draw(const Window& window, const Kernel<T>& kernel, const Scene& scene, Pl
     Value sum(0);
     for (auto& [at, w] : kernel) {
       auto cell = p * kernel.n + at;
-      const Value c = band.at(cell);
-      sum += w * c;
-      if constexpr (observed<O>) observer(Added<Value>{p, cell, w, kernel.total, c, sum});
+      sum += w * band.at(cell);
+      if constexpr (observed<O>) observer(Added<Value>{p, cell, w, kernel.total, band.at(cell), sum});
     }
     // All weights together count 1
     auto mean = sum / kernel.total;

@@ -12,6 +12,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/tally.hpp"
 
 namespace gradus::subdivision_curve {
 
@@ -68,6 +69,17 @@ struct Finished {
   std::int64_t points;  ///< or arcs
 };
 
+/// Numbers the corners of the arcs, from that of the first one on.
+struct ArcsFound {
+  std::size_t count = 0;
+
+  template <class T>
+  ArcFound<T> operator()(ArcFound<T> step) {
+    step.corner += count++;
+    return step;
+  }
+};
+
 // --- Edges and corners -------------------------------------------
 
 template <class T>
@@ -81,7 +93,6 @@ std::vector<Segment<2, T>> edges(const Points<T>& p, Ends ends) {
 /// A corner with its neighbours. The ends of an open polygon are none.
 template <class T>
 struct Corner {
-  std::size_t number;
   Point<T> before, at, after;
 };
 template <class T>
@@ -92,7 +103,7 @@ std::vector<Corner<T>> corners(const Points<T>& p, Ends ends) {
   for (auto i = skip; i + skip < n; ++i) {
     const auto& before = p[(i + n - 1) % n];
     const auto& after = p[(i + 1) % n];
-    all.push_back({i, before, p[i], after});
+    all.push_back({before, p[i], after});
   }
   return all;
 }
@@ -154,15 +165,16 @@ Points<T> chaikin(Points<T> points, int rounds, Ends ends, O&& observer = {}) {
 template <class T, class Take, Observer<ArcFound<T>, Finished> O = Unobserved>
 void limit(const Points<T>& polygon, Ends ends, Take&& take, O&& observer = {}) {
   expect_polygon(polygon);
+  Tally<O, ArcsFound> tally(observer);
   const T h(0.5);
   auto all = corners(polygon, ends);
-  for (auto [i, a, b, c] : all) {
+  for (auto [a, b, c] : all) {
     Point<T> p = h * a + h * b;
     Point<T> q = h * b + h * c;
     // Tangent to both edges
     const Parabola<T> arc{p, b, q};
     take(arc);
-    if constexpr (observed<O>) observer(ArcFound<T>{i, arc});
+    if constexpr (observed<O>) observer(tally.count(ArcFound<T>{ends == Ends::open, arc}));
   }
   if constexpr (observed<O>) observer(Finished{std::ssize(all)});
 }
@@ -171,7 +183,7 @@ void limit(const Points<T>& polygon, Ends ends, Take&& take, O&& observer = {}) 
 template <class T>
 T distance_to_limit(const Points<T>& polygon, Ends ends) {
   T most(0);
-  for (auto [i, a, b, c] : corners(polygon, ends)) {
+  for (auto [a, b, c] : corners(polygon, ends)) {
     const auto m = T(0.5) * a + T(0.5) * c;
     most = std::max(most, length_of(m - b) / 4);
   }

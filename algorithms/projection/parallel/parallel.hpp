@@ -110,17 +110,16 @@ struct Projected {
 /// Domain: everything.
 /// Steps: Cast Projected.
 /// Accuracy: the image exact; t, which only a figure needs, 1/2 ulp.
-/// Cost: one subtraction.
+/// Cost: a copy.
 /// Errors: none.
 template <class T, Observer<Cast<T>, Projected<T>> O = Unobserved>
 Point<T> orthographic(Axis axis, T d, Point<T> p, O&& observer = {}) {
+  // The projector runs along it
   const int i = index_of(axis);
-  // How far ahead along the axis
-  // the plane is
-  const T t = d - p[i];
-  if constexpr (observed<O>) observer(Cast<T>{p, t});
+  if constexpr (observed<O>) observer(Cast<T>{p, d - p[i]});
   // The others stay what they are
   Point<T> image = p;
+  // There it meets the plane
   image[i] = d;
   if constexpr (observed<O>) observer(Projected<T>{p, image});
   return image;

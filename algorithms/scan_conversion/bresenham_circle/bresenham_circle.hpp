@@ -17,6 +17,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/tally.hpp"
 
 namespace gradus::bresenham_circle {
 
@@ -270,6 +271,21 @@ struct Jumped {
   Whole p;   ///< the value for the next test
 };
 
+/// Counts the pixels of all octants.
+struct PixelsShown {
+  Whole count = 0;
+
+  template <class Step>
+  constexpr Step operator()(const Step& step) const {
+    return step;
+  }
+  constexpr Jumped operator()(const Jumped& step) {
+    count += step.shown.count();
+    return step;
+  }
+  constexpr Finished operator()(Finished) const { return {count}; }
+};
+
 /// Draws the part of a circle that lies in a window: the very pixels that decision_parameter plots there, or
 /// would plot on a larger plane, found by jumping to the first one of each octant.
 ///
@@ -286,8 +302,8 @@ template <class Plot, Observer<Started, Jumped, Compared, Stepped, Finished> O =
 constexpr void in_window(ivec2 center, int radius, const Window& window, Plot&& plot, O&& observer = {}) {
   expects(radius >= 0, "a circle has a radius of 0 or more, not {}", radius);
   const Circle circle{center, radius};
+  Tally<O, PixelsShown> tally(observer);
   if constexpr (observed<O>) observer(Started{center, radius, 3 - 2 * Whole{radius}});
-  Whole pixels = 0;
   auto arcs = visible(circle, window);
   for (const Arc& arc : arcs) {
     const Stretch shown = arc.shown;
@@ -296,7 +312,7 @@ constexpr void in_window(ivec2 center, int radius, const Window& window, Plot&& 
     Whole x = shown.first;
     Whole y = arc.height(x);
     Whole p = arc.decision(x, y);
-    if constexpr (observed<O>) observer(Jumped{arc.octant, shown, place(x, y), p});
+    if constexpr (observed<O>) observer(tally.count(Jumped{arc.octant, shown, place(x, y), p}));
     plot(arc.pixel(x, y));
     while (x < shown.last) {
       if (p < 0) {
@@ -313,9 +329,8 @@ constexpr void in_window(ivec2 center, int radius, const Window& window, Plot&& 
       }
       plot(arc.pixel(x, y));
     }
-    pixels += shown.count();
   }
-  if constexpr (observed<O>) observer(Finished{pixels});
+  if constexpr (observed<O>) observer(tally.count(Finished{}));
 }
 
 }  // namespace gradus::bresenham_circle

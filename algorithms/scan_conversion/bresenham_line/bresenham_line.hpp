@@ -18,6 +18,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/tally.hpp"
 
 namespace gradus::bresenham_line {
 
@@ -294,6 +295,17 @@ struct Added {
   T before, offset;  ///< how far aside the line lay and lies, in pixels, as T adds it up
 };
 
+/// Keeps the sum that the slope is added to next.
+template <class T>
+struct SumBefore {
+  T sum{0};
+
+  constexpr Added<T> operator()(Added<T> step) {
+    step.before = std::exchange(sum, step.offset);
+    return step;
+  }
+};
+
 /// The offset was rounded to a pixel, which is about to be plotted.
 template <class T>
 struct Rounded {
@@ -353,6 +365,7 @@ constexpr void dda(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
   auto [dx, dy] = extent(from, to);
   const Moves go = moves(from, to);
   const T slope = ratio<T>(dy, dx);
+  Tally<O, SumBefore<T>> tally(observer);
   if constexpr (observed<O>) observer(Divided<T>{from, to, dx, dy, slope, go});
   T offset = T(0);
   Whole row = 0;
@@ -360,9 +373,8 @@ constexpr void dda(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
   plot(pixel);
   for (Whole k = 1; k <= dx; ++k) {
     // The next sum, rounded to T
-    const T before = offset;
-    offset = before + slope;
-    if constexpr (observed<O>) observer(Added<T>{k, before, offset});
+    offset += slope;
+    if constexpr (observed<O>) observer(tally.count(Added<T>{k, {}, offset}));
     // The nearest pixel
     row = nearest(offset, row, go);
     pixel = place(from, go, k, row);

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <iterator>
+#include <map>
 #include <ranges>
 #include <span>
 
@@ -33,25 +34,32 @@ struct NormalAdded {
   T weight;
 };
 
-/// Numbers the faces: what is told of one comes with the number of its corner, from 0 on.
-struct FacesTaken {
-  std::size_t count = 0;
-
-  template <class T>
-  NormalAdded<T> operator()(NormalAdded<T> step) {
-    const bool first = step.face == 0;
-    count += first;
-    step.face = count - 1;
-    return step;
-  }
-};
-
 /// All that meet at a vertex were added.
 template <class T>
 struct VertexDone {
   std::size_t vertex;
   glm::vec<3, T> sum;
   glm::vec<3, T> normal;  ///< of length 1; zero where there was nothing to add, or it cancels
+};
+
+/// Numbers the faces: what is told of one comes with the number of its corner, from 0 on. Keeps the sums.
+template <class T>
+struct FacesTaken {
+  std::size_t count = 0;
+  std::map<std::size_t, glm::vec<3, T>> sums{};
+
+  NormalAdded<T> operator()(NormalAdded<T> step) {
+    const bool first = step.face == 0;
+    count += first;
+    step.face = count - 1;
+    sums.try_emplace(step.vertex, T(0)).first->second += step.weight * step.normal;
+    return step;
+  }
+  VertexDone<T> operator()(VertexDone<T> step) const {
+    const auto sum = sums.find(step.vertex);
+    step.sum = sum == sums.end() ? glm::vec<3, T>(T(0)) : sum->second;
+    return step;
+  }
 };
 
 /// Where nothing has been added yet.
@@ -125,7 +133,7 @@ template <class T, class Faces, Observer<NormalAdded<T>, VertexDone<T>> O = Unob
 void vertex_normals(std::span<const glm::vec<3, T>> P, const Faces& faces, Weighting how,
                     std::span<glm::vec<3, T>> N, O&& observer = {}) {
   expects(N.size() == P.size(), "{} normals were expected, not {}", P.size(), N.size());
-  Tally<O, FacesTaken> tally(observer);
+  Tally<O, FacesTaken<T>> tally(observer);
   std::ranges::fill(N, nothing<T>);
   for (const auto& face : faces) {
     auto A = doubled_area(P, face);
@@ -139,9 +147,8 @@ void vertex_normals(std::span<const glm::vec<3, T>> P, const Faces& faces, Weigh
     }
   }
   for (auto& normal : N) {
-    const auto sum = normal;
-    normal = unit_vector(sum);
-    if constexpr (observed<O>) observer(VertexDone<T>{index_in(N, normal), sum, normal});
+    normal = unit_vector(normal);
+    if constexpr (observed<O>) observer(tally.count(VertexDone<T>{index_in(N, normal), {}, normal}));
   }
 }
 

@@ -348,9 +348,8 @@ void build_mip_chain(ivec2 size, Texel&& texel, std::span<Colour> all, O&& obser
     auto mean = means(chain, k - 1);
     const ivec2 to = chain.size(k);
     for (ivec2 p : texels_of(to)) {
-      const Colour m = mean(p);
-      *next++ = m;
-      if constexpr (observed<O>) observer(Averaged<Colour>{k, p, m});
+      *next++ = mean(p);
+      if constexpr (observed<O>) observer(Averaged<Colour>{k, p, next[-1]});
     }
   }
 }
@@ -403,20 +402,19 @@ Colour mip_mapped(dvec2 uv, const Footprint<double>& area, const MipChain<Colour
   auto d = longer_side(area, size);
   // Texels as long as the footprint
   const int n = chain.levels();
-  auto level = level_of(d, n);
-  if constexpr (observed<O>) observer(LevelChosen{area, d, level});
-  auto in = [&](int k) {
-    Extent of{chain.size(k), wrap};
-    auto texel = chain.level(k);
+  auto [k, t] = level_of(d, n);
+  if constexpr (observed<O>) observer(LevelChosen{area, d, {k, t}});
+  auto in = [&](int level) {
+    Extent of{chain.size(level), wrap};
+    auto texel = chain.level(level);
     return bilinear(uv, of, texel, observer);
   };
-  const auto [k, t] = level;
   auto fine = in(k);
   if (t == 0) return fine;
   // Between two levels
   auto coarse = in(k + 1);
   auto mix = lerp(fine, coarse, t);
-  if constexpr (observed<O>) observer(LevelsMixed<Colour>{level, fine, coarse, mix});
+  if constexpr (observed<O>) observer(LevelsMixed<Colour>{{k, t}, fine, coarse, mix});
   return mix;
 }
 

@@ -27,6 +27,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/tally.hpp"
 
 namespace gradus::affine_2d {
 
@@ -196,6 +197,22 @@ struct Moved {
   Point<T> from, to;
 };
 
+/// Keeps the points as they were before they move.
+template <class T>
+struct PointsBefore {
+  std::vector<Point<T>> points{};
+
+  template <class Step>
+  Step operator()(const Step& step) {
+    points = step.points;
+    return step;
+  }
+  Moved<T> operator()(Moved<T> step) const {
+    step.from = points[step.point];
+    return step;
+  }
+};
+
 /// The number of an element of a span.
 template <class T>
 std::size_t number_of(const T& element, std::span<const T> all) {
@@ -215,9 +232,10 @@ std::size_t number_of(const T& element, std::span<const T> all) {
 /// Errors: none.
 template <class T, Observer<Started<T>, Multiplied<T>, Moved<T>> O = Unobserved>
 Matrix<T> one_matrix(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
+  Tally<O, PointsBefore<T>> tally(observer);
   // Nothing acts yet
   Matrix<T> product(T(1));
-  if constexpr (observed<O>) observer(Started<T>{product, {points.begin(), points.end()}});
+  if constexpr (observed<O>) observer(tally.count(Started<T>{product, {points.begin(), points.end()}}));
   for (const auto& f : factors) {
     // Later factors go to the left
     const auto m = matrix(f);
@@ -226,9 +244,8 @@ Matrix<T> one_matrix(std::span<const Factor<T>> factors, std::span<Point<T>> poi
   }
   // One matrix serves all points
   for (Point<T>& p : points) {
-    const auto from = p;
-    p = transform(product, from);
-    if constexpr (observed<O>) observer(Moved<T>{number_of<Point<T>>(p, points), from, p});
+    p = transform(product, p);
+    if constexpr (observed<O>) observer(tally.count(Moved<T>{number_of<Point<T>>(p, points), {}, p}));
   }
   return product;
 }
@@ -288,11 +305,12 @@ struct Rebased {
 template <class T, Observer<Rebased<T>, Multiplied<T>, Moved<T>> O = Unobserved>
 Matrix<T> local_coordinates(Point<T> origin, std::span<const Factor<T>> factors, std::span<Point<T>> points,
                             O&& observer = {}) {
+  Tally<O, PointsBefore<T>> tally(observer);
   // Everything seen from the origin
   for (Point<T>& p : points) {
     p -= origin;
   }
-  if constexpr (observed<O>) observer(Rebased<T>{origin, {points.begin(), points.end()}});
+  if constexpr (observed<O>) observer(tally.count(Rebased<T>{origin, {points.begin(), points.end()}}));
   Matrix<T> product(T(1));
   for (const auto& f : factors) {
     auto local = f;
@@ -303,9 +321,8 @@ Matrix<T> local_coordinates(Point<T> origin, std::span<const Factor<T>> factors,
     if constexpr (observed<O>) observer(Multiplied<T>{number_of(f, factors), m, product});
   }
   for (Point<T>& p : points) {
-    const auto from = p;
-    p = transform(product, from);
-    if constexpr (observed<O>) observer(Moved<T>{number_of<Point<T>>(p, points), from, p});
+    p = transform(product, p);
+    if constexpr (observed<O>) observer(tally.count(Moved<T>{number_of<Point<T>>(p, points), {}, p}));
   }
   return product;
 }
