@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <utility>
 
 #include "core/axis_cut.hpp"
 #include "core/contract.hpp"
@@ -173,48 +174,61 @@ struct Kept {
   Span span;
 };
 
-/// What borders leave of a line: it is narrowed by one after the other.
+/// The t at which a line comes to a border, or that of one of its ends: compared exactly, though no value of
+/// it is ever computed.
 template <int N, class T>
-struct Narrowing {
-  Segment<N, T> line;
-  AxisBox<N, T> window;
-  Span span{};
+struct Cut {
+  enum class Place { start, crossing, end };
 
-  Narrowing(const Segment<N, T>& given, const AxisBox<N, T>& box) : line(given), window(box) {}
+  const Segment<N, T>* line;
+  const AxisBox<N, T>* window;
+  Place place;
+  Border border{};
 
-  /// The exact order in which the line comes to two borders.
-  std::strong_ordering order_of(Border i, Border j) const {
-    return compare_cuts(line, axis_of(i), coordinate(window, i), axis_of(j), coordinate(window, j));
+  friend std::strong_ordering operator<=>(const Cut& i, const Cut& j) {
+    if (i.place != Place::crossing || j.place != Place::crossing) return i.place <=> j.place;
+    return compare_cuts(*i.line, axis_of(i.border), coordinate(*i.window, i.border), axis_of(j.border),
+                        coordinate(*i.window, j.border));
   }
 
-  /// Takes a border into account: whether any of the line can be left.
-  bool by(Border border) {
-    const Crossing crossing = crossing_of(line, window, border);
-    if (crossing == Crossing::inside) return true;
-    if (crossing == Crossing::outside) return false;
-    const bool enters = crossing == Crossing::enters;
-    // Nothing happens at a border that both ends are inside of; beyond it lies all, or the part at one end
-    if (!outside(enters ? line.a : line.b, window, border)) return true;
-    if (outside(enters ? line.b : line.a, window, border)) return false;
-    auto& latest = enters ? span.enter : span.leave;
-    const bool better = !latest || (enters ? order_of(border, *latest) > 0 : order_of(border, *latest) < 0);
-    if (better) latest = border;
-    return !span.enter || !span.leave || order_of(*span.enter, *span.leave) <= 0;
-  }
-
-  /// The line's points at the two borders, correctly rounded, or its ends where there are none.
-  Segment<N, T> rest() const {
-    const auto at = [&](Border border) {
-      return cut_point(line, axis_of(border), coordinate(window, border));
-    };
-    return {span.enter ? at(*span.enter) : line.a, span.leave ? at(*span.leave) : line.b};
+  /// The line's point there, correctly rounded.
+  glm::vec<N, T> point() const {
+    if (place == Place::crossing) return cut_point(*line, axis_of(border), coordinate(*window, border));
+    return place == Place::start ? line->a : line->b;
   }
 };
 
+/// The cuts of a line with a window's borders. Holds references.
+template <int N, class T>
+struct Cuts {
+  const Segment<N, T>& line;
+  const AxisBox<N, T>& window;
+
+  Cut<N, T> start() const { return {&line, &window, Cut<N, T>::Place::start}; }
+  Cut<N, T> end() const { return {&line, &window, Cut<N, T>::Place::end}; }
+  Cut<N, T> at(Border border) const { return {&line, &window, Cut<N, T>::Place::crossing, border}; }
+  /// Whether a lies beyond the border, and whether b does.
+  std::pair<bool, bool> ends(Border border) const {
+    return {outside(line.a, window, border), outside(line.b, window, border)};
+  }
+};
+template <int N, class T>
+Cuts(const Segment<N, T>&, const AxisBox<N, T>&) -> Cuts<N, T>;
+
+/// What the steps say of the last entering and the first leaving.
+template <int N, class T>
+Span span_of(const Cut<N, T>& enter, const Cut<N, T>& leave) {
+  const auto border = [](const Cut<N, T>& cut) {
+    return cut.place == Cut<N, T>::Place::crossing ? std::optional(cut.border) : std::nullopt;
+  };
+  return {border(enter), border(leave)};
+}
+
 /// What the step says of a border.
-template <class T, int N>
-Ordered<T> ordered(Border border, const Narrowing<N, T>& allowed, bool beyond) {
-  return {border, crossing_of(allowed.line, allowed.window, border), beyond, allowed.span};
+template <int N, class T>
+Ordered<T> ordered(Border border, bool beyond, const Cut<N, T>& enter, const Cut<N, T>& leave) {
+  return {border, crossing_of(*enter.line, *enter.window, border), beyond || enter > leave,
+          span_of(enter, leave)};
 }
 
 /// The part of a segment that lies in a window, decided exactly, its ends correctly rounded: borders are
@@ -227,28 +241,39 @@ Ordered<T> ordered(Border border, const Narrowing<N, T>& allowed, bool beyond) {
 /// Steps: Started Ordered+ (Kept | Missed), at most 4 Ordered; Started.d is rounded.
 /// Accuracy: as cohen_sutherland_2d::correctly_rounded, and the same bits: accepted exactly when segment and
 ///   window have a point in common, a border's coordinate copied, the other one 1/2 ulp.
-/// Cost: comparisons, three orders of some 3 ns at most, some 15 ns for each end that is cut; in doubt 1 us.
+/// Cost: comparisons, five orders of some 3 ns at most, some 15 ns for each end that is cut; in doubt 1 us.
 /// Errors: as parametric.
 template <class T = double, Observer<Started<T>, Ordered<T>, Kept<T>, Missed> O = Unobserved>
 std::optional<Segment<2, T>> correctly_rounded(Segment<2, T> line, const Rectangle<T>& window,
                                                const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
-  Narrowing allowed(line, window);
+  const Cuts cuts{line, window};
   if constexpr (observed<O>) observer(Started<T>{line, window, line.b - line.a});
-  for (Border border : order) {
-    // Last entering, first leaving
-    bool left = allowed.by(border);
-    if constexpr (observed<O>) observer(ordered<T>(border, allowed, !left));
+  auto enter = cuts.start();
+  auto leave = cuts.end();
+  for (Border edge : order) {
+    // Which ends lie beyond it?
+    auto [a, b] = cuts.ends(edge);
+    bool beyond = a && b;
+    auto t = cuts.at(edge);
+    if (a && !b) {
+      // Entering: the last t counts
+      if (t > enter) enter = t;
+    } else if (b && !a) {
+      // Leaving: the first t counts
+      if (t < leave) leave = t;
+    }
+    if constexpr (observed<O>) observer(ordered(edge, beyond, enter, leave));
     // Nothing left: reject
-    if (!left) {
-      if constexpr (observed<O>) observer(Missed{allowed.span});
+    if (beyond || enter > leave) {
+      if constexpr (observed<O>) observer(Missed{span_of(enter, leave)});
       return std::nullopt;
     }
   }
-  // The points at those two borders
-  line = allowed.rest();
-  if constexpr (observed<O>) observer(Kept<T>{line, allowed.span});
-  return line;
+  // The points at those two cuts
+  const Segment part{enter.point(), leave.point()};
+  if constexpr (observed<O>) observer(Kept<T>{part, span_of(enter, leave)});
+  return part;
 }
 
 }  // namespace gradus::liang_barsky

@@ -110,29 +110,40 @@ std::optional<Segment<3, T>> box_parametric(Segment<3, T> line, const AxisBox<3,
 /// Steps: BoxStarted Ordered+ (BoxKept | Missed), at most 6 Ordered; BoxStarted.d is rounded.
 /// Accuracy: as cohen_sutherland_3d::correctly_rounded, and the same numbers: accepted exactly when segment
 ///   and box have a point in common, a face's coordinate copied, the others 1/2 ulp.
-/// Cost: comparisons, five orders of some 3 ns at most, some 30 ns for each end that is cut; in doubt 1 us.
+/// Cost: comparisons, nine orders of some 3 ns at most, some 30 ns for each end that is cut; in doubt 1 us.
 /// Errors: as box_parametric.
 template <class T = double, Observer<BoxStarted<T>, Ordered<T>, BoxKept<T>, Missed> O = Unobserved>
 std::optional<Segment<3, T>> box_correctly_rounded(Segment<3, T> line, const AxisBox<3, T>& box,
                                                    const BoxOrder& order = usual_order<3>(),
                                                    O&& observer = {}) {
   expect_clippable(line, box);
-  Narrowing allowed(line, box);
+  const Cuts cuts{line, box};
   if constexpr (observed<O>) observer(BoxStarted<T>{line, box, line.b - line.a});
+  auto enter = cuts.start();
+  auto leave = cuts.end();
   for (Border face : order) {
-    // Last entering, first leaving
-    bool left = allowed.by(face);
-    if constexpr (observed<O>) observer(ordered<T>(face, allowed, !left));
+    // Which ends lie beyond it?
+    auto [a, b] = cuts.ends(face);
+    bool beyond = a && b;
+    auto t = cuts.at(face);
+    if (a && !b) {
+      // Entering: the last t counts
+      if (t > enter) enter = t;
+    } else if (b && !a) {
+      // Leaving: the first t counts
+      if (t < leave) leave = t;
+    }
+    if constexpr (observed<O>) observer(ordered(face, beyond, enter, leave));
     // Nothing left: reject
-    if (!left) {
-      if constexpr (observed<O>) observer(Missed{allowed.span});
+    if (beyond || enter > leave) {
+      if constexpr (observed<O>) observer(Missed{span_of(enter, leave)});
       return std::nullopt;
     }
   }
-  // The points at those two faces
-  line = allowed.rest();
-  if constexpr (observed<O>) observer(BoxKept<T>{line, allowed.span});
-  return line;
+  // The points at those two cuts
+  const Segment part{enter.point(), leave.point()};
+  if constexpr (observed<O>) observer(BoxKept<T>{part, span_of(enter, leave)});
+  return part;
 }
 
 }  // namespace gradus::liang_barsky
