@@ -1,11 +1,15 @@
-// Every method's listing reads like a textbook's: lines that fit a panel beside two drawings and are never
-// broken, a heading for each function where there are several, nothing after a return, no comment that splits
-// a statement; and its pseudocode has no bracket or comment for a value.
+// Every method's listing reads like a textbook's, whatever the options make it list: lines that fit a panel
+// beside two drawings and are never broken, a heading for each function where there are several, nothing
+// after a return, no comment that splits a statement; and its pseudocode has no bracket or comment for a
+// value. No two methods show the same listing, but for those that differ in nothing that a listing could say.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,17 +85,86 @@ void expect_textbook_pseudocode(const std::vector<SourceLine>& listing) {
   }
 }
 
-TEST(ListingForm, IsThatOfATextbook) {
-  for (const TopicEntry* entry : catalogue()) {
-    for (const Method& method : entry->methods) {
-      SCOPED_TRACE(fmt::format("{} {}", entry->name, method.name));
-      const Trace trace = test::trace_of(entry->name, {{"method", method.name}}, {0, 1});
-      expect_narrow(trace.listing);
-      expect_nothing_after_return(trace.listing);
-      expect_no_comment_inside(trace.listing);
-      expect_textbook_pseudocode(trace.listing);
+/// As shown, with what a fault strikes out.
+std::string text_of(const Trace& trace) {
+  std::string text;
+  for (const SourceLine& line : shown_listing(trace))
+    text += fmt::format("{}{}\n", line.change == Change::struck ? "- " : "", line.text);
+  return text;
+}
+
+/// The trace of a run; nothing where it is refused, as some options are by some methods.
+std::optional<Trace> trace_if_any(const TopicEntry& topic, const std::map<std::string, std::string>& given) {
+  try {
+    return test::trace_of(topic.name, given, {0, 1});
+  } catch (const ArgumentError&) {
+    return std::nullopt;
+  } catch (const ContractViolation&) {
+    return std::nullopt;
+  }
+}
+
+/// What may have a listing of its own: each method, with each choice and flag that it takes, and the runs
+/// that say what such a run leaves unsaid.
+std::vector<std::map<std::string, std::string>> runs_with_options(const TopicEntry& topic) {
+  std::vector<std::map<std::string, std::string>> runs;
+  for (test::Run& run : test::runs_of(topic)) runs.push_back(std::move(run.given));
+  for (const Method& method : topic.methods) {
+    for (const Parameter& parameter : topic.parameters) {
+      std::vector<std::string> values;
+      if (parameter.type == ParameterType::choice) values = parameter.choices;
+      if (parameter.type == ParameterType::flag) values = {"yes"};
+      for (const std::string& value : values)
+        runs.push_back({{"method", method.name}, {parameter.name, value}});
     }
   }
+  return runs;
+}
+
+TEST(ListingForm, IsThatOfATextbook) {
+  std::set<std::string> judged, of_methods;
+  for (const TopicEntry* entry : catalogue()) {
+    for (const auto& given : runs_with_options(*entry)) {
+      SCOPED_TRACE(fmt::format("{} {}", entry->name, fmt::join(given, " ")));
+      const auto trace = trace_if_any(*entry, given);
+      if (!trace) continue;
+      if (given.size() == 1) of_methods.insert(text_of(*trace));
+      if (!judged.insert(text_of(*trace)).second) continue;
+      expect_narrow(trace->listing);
+      expect_nothing_after_return(trace->listing);
+      expect_no_comment_inside(trace->listing);
+      expect_textbook_pseudocode(trace->listing);
+    }
+  }
+  EXPECT_GT(judged.size(), of_methods.size()) << "options list something else, too";
+}
+
+/// Methods that show the same listing, and why that is right.
+struct Shared {
+  std::string methods, why;
+};
+const std::vector<Shared>& shared_listings() {
+  static const std::vector<Shared> all{};
+  return all;
+}
+
+TEST(ListingForm, IsSharedOnlyWhereMethodsDifferInTheirInput) {
+  std::map<std::string, std::vector<std::string>> methods;  // by listing
+  for (const TopicEntry* entry : catalogue()) {
+    for (const Method& method : entry->methods) {
+      const Trace trace = test::trace_of(entry->name, {{"method", method.name}}, {0, 1});
+      methods[text_of(trace)].push_back(fmt::format("{}/{}", entry->name, method.name));
+    }
+  }
+  std::set<std::string> found, known;
+  for (const auto& [listing, names] : methods) {
+    if (names.size() > 1) found.insert(fmt::format("{}", fmt::join(names, " ")));
+  }
+  for (const Shared& shared : shared_listings()) {
+    EXPECT_GE(shared.why.size(), 20u) << shared.methods;
+    known.insert(shared.methods);
+  }
+  EXPECT_EQ(found, known);
 }
 
 }  // namespace

@@ -192,7 +192,7 @@ struct Cut {
   }
 
   /// The line's point there, correctly rounded.
-  glm::vec<N, T> point() const {
+  glm::vec<N, T> at() const {
     if (place == Place::crossing) return cut_point(*line, axis_of(border), coordinate(*window, border));
     return place == Place::start ? line->a : line->b;
   }
@@ -271,9 +271,9 @@ std::optional<Segment<2, T>> correctly_rounded(Segment<2, T> line, const Rectang
     }
   }
   // The points at those two cuts
-  const Segment part{enter.point(), leave.point()};
-  if constexpr (observed<O>) observer(Kept<T>{part, span_of(enter, leave)});
-  return part;
+  line = {enter.at(), leave.at()};
+  if constexpr (observed<O>) observer(Kept<T>{line, span_of(enter, leave)});
+  return line;
 }
 
 }  // namespace gradus::liang_barsky

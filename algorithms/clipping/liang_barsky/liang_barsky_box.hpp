@@ -141,9 +141,9 @@ std::optional<Segment<3, T>> box_correctly_rounded(Segment<3, T> line, const Axi
     }
   }
   // The points at those two cuts
-  const Segment part{enter.point(), leave.point()};
-  if constexpr (observed<O>) observer(BoxKept<T>{part, span_of(enter, leave)});
-  return part;
+  line = {enter.at(), leave.at()};
+  if constexpr (observed<O>) observer(BoxKept<T>{line, span_of(enter, leave)});
+  return line;
 }
 
 }  // namespace gradus::liang_barsky

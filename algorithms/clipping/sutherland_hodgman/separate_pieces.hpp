@@ -299,8 +299,8 @@ void leave_out_vanished(std::vector<Piece<T>>& pieces) {
 }
 
 /// The pieces that rings bound, each with the holes in it. Takes the rings.
-template <class T, class Window>
-std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window>& scene) {
+template <class T, class Window, class O>
+std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window>& scene, O& observer) {
   const bool touch = scene.polygon.touch;
   std::vector<Ring<T>> outer, inner;
   for (Ring<T>& ring : rings) {
@@ -333,6 +333,9 @@ std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window
     holes.insert(holes.end(), simple.begin(), simple.end());
   }
   leave_out_vanished(pieces);
+  for (const Piece<T>& piece : pieces) {
+    if constexpr (observed<O>) observer(PieceTraced<T>{number_in(std::span(pieces), piece), piece});
+  }
   return pieces;
 }
 
@@ -369,19 +372,16 @@ template <class T, class Window,
 std::vector<Piece<T>> separate_pieces(const Rings<T>& polygon, const Window& window,
                                       std::span<const int> order, O&& observer = {}) {
   expect_window(window);
-  auto scene = scene_of(polygon, window);
+  auto s = scene_of(polygon, window);
   auto rings = polygon.rings;
-  // Split at one border after the other
+  // Split at each border in turn
   for (const int border : order) {
     if (rings.empty()) break;
-    split_at(border, rings, scene, observer);
+    split_at(border, rings, s, observer);
   }
-  // Holes that no border met lie in a piece
-  const auto pieces = grouped(rings, scene);
-  for (const Piece<T>& piece : pieces) {
-    if constexpr (observed<O>) observer(PieceTraced<T>{number_in(std::span(pieces), piece), piece});
-  }
-  return pieces;
+  // Holes that no border met go
+  // to the piece they lie in
+  return grouped(rings, s, observer);
 }
 
 /// The same, in the borders' own order: left, right, bottom, top.

@@ -259,7 +259,7 @@ int forced(std::span<const glm::vec<2, T>> polygon, const Ring& ring) {
 /// triangle holds no other corner. Cut it off, and go on with what is left. G. H. Meisters, Polygons have
 /// ears, American Mathematical Monthly 82, 1975, 648-651.
 ///
-/// polygon: the corners, counter-clockwise. emit(Triangle) gets each triangle, counter-clockwise; a convex
+/// P: the corners, counter-clockwise. emit(Triangle) gets each triangle, counter-clockwise; a convex
 ///   polygon comes as a fan from corner 0.
 ///
 /// Domain: at least 3 corners, finite. A simple polygon gives triangles that cover it exactly once; corners
@@ -270,23 +270,27 @@ int forced(std::span<const glm::vec<2, T>> polygon, const Ring& ring) {
 /// Cost: O(n^2) usually, O(n^3) at worst; O(n) tests for a convex polygon.
 /// Errors: ContractViolation for less than 3 corners or coordinates that are not finite.
 template <class T, std::invocable<const Triangle&> Emit, Observer<Tested, Cut, Finished> O = Unobserved>
-void triangulate(std::span<const glm::vec<2, T>> polygon, Emit&& emit, O&& observer = {}) {
-  expect_polygon(polygon);
-  const int n = int(polygon.size());
+void triangulate(std::span<const glm::vec<2, T>> P, Emit&& emit, O&& observer = {}) {
+  expect_polygon(P);
+  const int n = int(P.size());
   Ring ring(n);
   int at = 1;
   int failed = 0;  // tests since the last ear
   while (ring.size() > 2) {
-    // An ear is convex and holds no corner
-    const auto v = judge(polygon, ring, at);
+    // Convex, holding no corner?
+    auto v = judge(P, ring, at);
     if constexpr (observed<O>) observer(v);
-    if (!v.ear && ++failed < ring.size()) {
+    const int left = ring.size();
+    if (!v.ear && ++failed < left) {
       at = ring.next(at);
       continue;
     }
-    if (!v.ear) at = forced(polygon, ring);
+    // None at all: another one
+    if (!v.ear) {
+      at = forced(P, ring);
+    }
     // Cut it off
-    const Triangle ear = ring.triangle(at);
+    auto ear = ring.triangle(at);
     emit(ear);
     ring.remove(at);
     if constexpr (observed<O>) observer(Cut{ear, ring.size(), !v.ear});

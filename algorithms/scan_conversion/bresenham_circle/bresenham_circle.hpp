@@ -301,13 +301,13 @@ struct PixelsShown {
 template <class Plot, Observer<Started, Jumped, Compared, Stepped, Finished> O = Unobserved>
 constexpr void in_window(ivec2 center, int radius, const Window& window, Plot&& plot, O&& observer = {}) {
   expects(radius >= 0, "a circle has a radius of 0 or more, not {}", radius);
-  const Circle circle{center, radius};
+  const Circle c{center, radius};
   Tally<O, PixelsShown> tally(observer);
   if constexpr (observed<O>) observer(Started{center, radius, 3 - 2 * Whole{radius}});
-  auto arcs = visible(circle, window);
+  auto arcs = visible(c, window);
   for (const Arc& arc : arcs) {
     const Stretch shown = arc.shown;
-    if (shown.count() == 0) continue;
+    if (shown.count() < 1) continue;
     // Jump to its first pixel shown
     Whole x = shown.first;
     Whole y = arc.height(x);

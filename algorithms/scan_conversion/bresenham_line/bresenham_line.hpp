@@ -225,6 +225,16 @@ constexpr Stretch visible(ivec2 from, ivec2 to, const Window& window) {
   return {std::max({Whole{0}, along.first, enters}), std::min({size.dx, along.last, leaves - 1})};
 }
 
+/// The part of a line that a window shows.
+struct Part {
+  ivec2 from, to;
+  Stretch shown;  ///< numbers of its pixels
+
+  constexpr Part(ivec2 a, ivec2 b, const Window& window) : from(a), to(b), shown(visible(a, b, window)) {}
+  constexpr ivec2 pixel(Whole k) const { return pixel_at(from, to, k); }
+  constexpr Whole decision(Whole k) const { return decision_at(from, to, k); }
+};
+
 /// The line is known to enter the window at pixel `first` and to leave it after pixel `last`.
 struct Jumped {
   Stretch shown;  ///< numbers of the first and the last pixel in the window
@@ -249,15 +259,16 @@ constexpr void in_window(ivec2 from, ivec2 to, const Window& window, Plot&& plot
   const Moves go = moves(from, to);
   const auto& [E, NE, tie] = go;
   if constexpr (observed<O>) observer(Started{from, to, dx, dy, 2 * dy - dx, go});
-  auto in = visible(from, to, window);
+  const Part part(from, to, window);
+  const Stretch in = part.shown;
   if (in.last < in.first) {
     if constexpr (observed<O>) observer(Finished{0});
     return;
   }
   // Jump to the first pixel in it
   Whole k = in.first;
-  ivec2 pixel = pixel_at(from, to, k);
-  Whole p = decision_at(from, to, k);
+  ivec2 pixel = part.pixel(k);
+  Whole p = part.decision(k);
   if constexpr (observed<O>) observer(Jumped{in, pixel, p});
   plot(pixel);
   while (k++ < in.last) {

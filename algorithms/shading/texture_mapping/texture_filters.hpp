@@ -404,9 +404,9 @@ Colour mip_mapped(dvec2 uv, const Footprint<double>& area, const MipChain<Colour
   const int n = chain.levels();
   auto [k, t] = level_of(d, n);
   if constexpr (observed<O>) observer(LevelChosen{area, d, {k, t}});
-  auto in = [&](int level) {
-    Extent of{chain.size(level), wrap};
-    auto texel = chain.level(level);
+  auto in = [&](int i) {
+    Extent of{chain.size(i), wrap};
+    auto texel = chain.level(i);
     return bilinear(uv, of, texel, observer);
   };
   auto fine = in(k);

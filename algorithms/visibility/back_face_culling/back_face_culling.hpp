@@ -60,11 +60,11 @@ int determinant_sign(glm::vec<4, T> a, glm::vec<4, T> b, glm::vec<4, T> c) {
 template <class T, Observer<Tested<T>> O = Unobserved>
 Facing facing(glm::vec<4, T> a, glm::vec<4, T> b, glm::vec<4, T> c, O&& observer = {}) {
   // det[x y w], for any signs of w
-  const int sign = determinant_sign(a, b, c);
+  int s = determinant_sign(a, b, c);
   Facing facing = Facing::edge_on;
-  if (sign > 0) facing = Facing::front;
-  if (sign < 0) facing = Facing::back;
-  if constexpr (observed<O>) observer(Tested<T>{a, b, c, sign, facing});
+  if (s > 0) facing = Facing::front;
+  if (s < 0) facing = Facing::back;
+  if constexpr (observed<O>) observer(Tested<T>{a, b, c, s, facing});
   return facing;
 }
 

@@ -131,9 +131,7 @@ struct Walk {
 };
 
 template <class T, class Split, class Visit>
-Walk<T, Split, Visit> walk_of(const Eye<T>& eye, Split& split, Visit& visit) {
-  return {eye, split, visit};
-}
+Walk(const Eye<T>&, Split&, Visit&) -> Walk<T, Split, Visit>;
 
 /// The cells below one, near ones first.
 template <class T, class Split, class Visit, class O>
@@ -190,7 +188,7 @@ template <class T, class Split, class Visit, Observer<Entered<T>, Visited<T>, Fi
 void front_to_back(const Cell<T>& root, const Eye<T>& eye, Split&& split, Visit&& visit, O&& observer = {}) {
   expect_cube(root, eye);
   Tally<O, Work> tally(observer);
-  auto walk = walk_of(eye, split, visit);
+  Walk walk{eye, split, visit};
   nearer_first(walk, root, tally);
   if constexpr (observed<O>) observer(tally.count(Finished{0, 0}));
 }
@@ -205,7 +203,7 @@ template <class T, class Split, class Visit, Observer<Entered<T>, Visited<T>, Fi
 void back_to_front(const Cell<T>& root, const Eye<T>& eye, Split&& split, Visit&& visit, O&& observer = {}) {
   expect_cube(root, eye);
   Tally<O, Work> tally(observer);
-  auto walk = walk_of(eye, split, visit);
+  Walk walk{eye, split, visit};
   farther_first(walk, root, tally);
   if constexpr (observed<O>) observer(tally.count(Finished{0, 0}));
 }
