@@ -14,6 +14,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "antialiasing/jittered/shuffles.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
@@ -79,39 +80,6 @@ constexpr dvec2 offsets(Random& random) {
   return {offset(static_cast<std::uint32_t>(bits)), offset(static_cast<std::uint32_t>(bits >> 32))};
 }
 
-/// Where `number` comes to lie when 0 … length - 1 are shuffled: a bijection for every key, without memory.
-/// Source: A. Kensler, "Correlated multi-jittered sampling", Pixar Technical Memo 13-01, 2013, listing 3.
-/// Domain: 0 <= number < length. Cost: some 30 operations, at most twice on average.
-constexpr int permuted(int number, int length, std::uint32_t key) {
-  const std::uint32_t count = static_cast<std::uint32_t>(length), mask = std::bit_ceil(count) - 1;
-  std::uint32_t i = static_cast<std::uint32_t>(number);
-  // A bijection of 0 … mask; again until the number is one of those that are shuffled
-  do {
-    i = (i ^ key) * 0xe170893d;
-    i ^= key >> 16;
-    i = (i ^ (i & mask) >> 4 ^ key >> 8) * 0x0929eb3f;
-    i ^= key >> 23;
-    i = (i ^ (i & mask) >> 1) * (1 | key >> 27) * 0x6935fa69;
-    i = (i ^ (i & mask) >> 11) * 0x74dcb303;
-    i = (i ^ (i & mask) >> 2) * 0x9e501cc3;
-    i = ((i ^ (i & mask) >> 2) * 0xc860a3df) & mask;
-    i ^= i >> 5;
-  } while (i >= count);
-  return static_cast<int>((std::uint64_t{i} + key) % count);
-}
-
-/// 0 … length - 1 in a random order, which is not stored: see permuted.
-class Shuffle {
- public:
-  constexpr Shuffle(int length, Random& random)
-      : length_(length), key_(static_cast<std::uint32_t>(random())) {}
-  constexpr int operator()(int number) const { return permuted(number, length_, key_); }
-
- private:
-  int length_;
-  std::uint32_t key_;
-};
-
 /// One of the samples, each equally likely.
 constexpr dvec2& any(std::span<dvec2> samples, Random& random) {
   const std::int64_t last = static_cast<std::int64_t>(samples.size()) - 1;
@@ -120,23 +88,6 @@ constexpr dvec2& any(std::span<dvec2> samples, Random& random) {
 constexpr std::span<dvec2> all_but_last(std::span<dvec2> samples) {
   return samples.first(samples.size() - 1);
 }
-
-/// A coin for each node of a binary tree, the root is node 1: always the same for the same node.
-/// Cost: one random number for 64 nodes that are asked for one after the other.
-class Coins {
- public:
-  constexpr explicit Coins(Random random) : random_(random), tosses_(random.at(0)) {}
-
-  constexpr bool operator()(std::uint32_t node) {
-    if (node / 64 != block_) tosses_ = random_.at(block_ = node / 64);
-    return (tosses_ >> node % 64 & 1) != 0;
-  }
-
- private:
-  Random random_;
-  std::uint64_t tosses_;
-  std::uint32_t block_ = 0;
-};
 
 // --- Grids -------------------------------------------------------
 

@@ -15,6 +15,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "antialiasing/supersampling/sample_rows.hpp"
 #include "core/arithmetic/elementary.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
@@ -35,11 +36,6 @@ constexpr double radius_of(Filter filter) {
   return filter == Filter::box ? 0.5 : filter == Filter::tent ? 1.0 : 1.5;
 }
 
-/// The most samples per pixel, along each axis.
-inline constexpr int most = 64;
-/// How far a pixel may lie from 0, in pixels.
-inline constexpr int farthest = 1 << 20;
-
 /// Of a value that is a number or a vector of numbers (light of three colours): the number.
 template <class Value>
 struct ScalarOf {
@@ -49,10 +45,6 @@ template <int N, class T>
 struct ScalarOf<glm::vec<N, T>> {
   using type = T;
 };
-
-/// What the scene answers.
-template <class Scene>
-using ValueOf = std::remove_cvref_t<std::invoke_result_t<const Scene&, dvec2>>;
 
 /// A filter's weight at a distance d/2 from the pixel's middle, in cells of 1/n pixel: d is |2 i + 1 - n| for
 /// cell i, a whole number. Within the filter's reach positive.
@@ -118,20 +110,6 @@ Kernel<T> kernel_of(Filter filter, int n) {
   return Kernel<T>(filter, n);
 }
 
-/// Where the scene is asked for a cell: its middle, (2 cell + 1) / (2 n). For n = 1, 2, 4 … 64 a multiple of
-/// 1/128 pixel.
-/// Accuracy: rounded once.
-constexpr dvec2 place_of(ivec2 cell, int n) {
-  return {static_cast<double>(2 * std::int64_t{cell.x} + 1) / (2 * n),
-          static_cast<double>(2 * std::int64_t{cell.y} + 1) / (2 * n)};
-}
-
-/// What a run took.
-struct Taken {
-  std::int64_t asked = 0;  ///< samples of the scene
-  std::int64_t kept = 0;   ///< values that were kept at once, at most
-};
-
 /// What `supersample` takes for the pixels of a window: the rows of samples that one row of pixels needs.
 /// Domain: 1 <= n <= most.
 constexpr Taken cost_of_band(const Window& window, int n, Filter filter) {
@@ -183,78 +161,6 @@ struct Finished {
 };
 
 // --- What both methods share -------------------------------------
-
-/// Samples of the scene in rows of cells. When all rows that are kept are taken, one that comes takes the
-/// place of the one that came first.
-template <class Value>
-class Samples {
- public:
-  Samples(const Window& cells, int n, std::int64_t kept_rows)
-      : cells_(cells),
-        n_(n),
-        columns_(static_cast<std::size_t>(cells.width())),
-        rows_(static_cast<std::size_t>(kept_rows)),
-        values_(columns_ * rows_, Value(0)) {}
-  /// With room for all rows.
-  Samples(const Window& cells, int n) : Samples(cells, n, cells.height()) {}
-
-  auto rows() const { return std::views::iota(cells_.lower.y, cells_.upper.y + 1); }
-  /// Asks the scene for a row.
-  template <class Scene>
-  void ask(int row, const Scene& scene) {
-    const std::size_t from = begin(row);
-    for (std::size_t i = 0; i < columns_; ++i) {
-      values_[from + i] = scene(place_of({cells_.lower.x + static_cast<int>(i), row}, n_));
-    }
-    asked_ += static_cast<std::int64_t>(columns_);
-  }
-  const Value& at(ivec2 cell) const {
-    return values_[begin(cell.y) + static_cast<std::size_t>(cell.x - cells_.lower.x)];
-  }
-  std::vector<Value> row(int row) const {
-    const auto from = values_.begin() + static_cast<std::ptrdiff_t>(begin(row));
-    return {from, from + static_cast<std::ptrdiff_t>(columns_)};
-  }
-  Taken taken() const { return {asked_, std::ssize(values_)}; }
-
- private:
-  static constexpr std::int64_t offset = std::int64_t{farthest} * most * 2;  // no row is below -offset
-
-  std::size_t begin(int row) const { return static_cast<std::size_t>(row + offset) % rows_ * columns_; }
-
-  Window cells_;
-  int n_;
-  std::size_t columns_, rows_;
-  std::vector<Value> values_;
-  std::int64_t asked_ = 0;
-};
-
-/// The rows of samples that one row of pixels needs, moving down the scene.
-template <class Scene>
-class Band {
- public:
-  using Value = ValueOf<Scene>;
-
-  template <class T>
-  Band(const Window& window, const Kernel<T>& kernel, const Scene& scene)
-      : scene_(scene),
-        samples_(kernel.round(window), kernel.n, kernel.n + 2 * kernel.reach),
-        next_(kernel.round(window).lower.y),
-        n_(kernel.n),
-        reach_(kernel.reach) {}
-
-  /// Asks the scene for the rows of a pixel that are not there.
-  void ask_for(ivec2 pixel) {
-    for (const int end = (pixel.y + 1) * n_ + reach_; next_ < end; ++next_) samples_.ask(next_, scene_);
-  }
-  const Value& at(ivec2 cell) const { return samples_.at(cell); }
-  Taken taken() const { return samples_.taken(); }
-
- private:
-  const Scene& scene_;
-  Samples<Value> samples_;
-  int next_, n_, reach_;
-};
 
 /// Kernels have weights of the type of a value's numbers.
 template <class Scene>
