@@ -14,7 +14,7 @@
 
 namespace gradus::supersampling {
 
-/// The most samples a pixel, along each axis.
+/// The most samples per pixel, along each axis.
 inline constexpr int most = 64;
 /// How far a pixel may lie from 0, in pixels.
 inline constexpr int farthest = 1 << 20;
