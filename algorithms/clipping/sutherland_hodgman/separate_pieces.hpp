@@ -333,8 +333,9 @@ std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window
     holes.insert(holes.end(), simple.begin(), simple.end());
   }
   leave_out_vanished(pieces);
-  for (const Piece<T>& piece : pieces) {
-    if constexpr (observed<O>) observer(PieceTraced<T>{number_in(std::span(pieces), piece), piece});
+  const std::span<const Piece<T>> all = pieces;
+  for (const Piece<T>& piece : all) {
+    if constexpr (observed<O>) observer(PieceTraced<T>{number_in(all, piece), piece});
   }
   return pieces;
 }

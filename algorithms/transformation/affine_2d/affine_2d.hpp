@@ -207,7 +207,7 @@ struct PointsBefore {
     points = step.points;
     return step;
   }
-  Moved<T> operator()(Moved<T> step) const {
+  Moved<T> operator()(Moved<T> step) {
     step.from = points[step.point];
     return step;
   }
