@@ -123,10 +123,11 @@ Sheet lay_out(const Figure& figure, const Look& look) {
     lay_out_drawing(pen, figure, scene);
   });
   lay_out_slot(Slot::title, at.title, [&](Pen& pen, const Box& box) { lay_out_title(pen, at.heading, box); });
-  lay_out_slot(Slot::listing, at.listing,
-               [&](Pen& pen, const Box& box) { lay_out_listing(pen, figure, look, box, at.lines); });
+  lay_out_slot(Slot::listing, at.listing, [&](Pen& pen, const Box& box) {
+    lay_out_listing(pen, figure, look, box, at.lines, at.spacing);
+  });
   lay_out_slot(Slot::table, at.table,
-               [&](Pen& pen, const Box& box) { lay_out_table(pen, figure, box, at.rows); });
+               [&](Pen& pen, const Box& box) { lay_out_table(pen, figure, box, at.rows, at.spacing); });
   lay_out_slot(Slot::sentence, at.sentence,
                [&](Pen& pen, const Box& box) { lay_out_sentence(pen, figure, box, at.sentence_lines); });
   lay_out_slot(Slot::footer, at.footer, [&](Pen& pen, const Box& box) {

@@ -201,11 +201,14 @@ std::optional<PlacedLabel> place_label(const Obstacles& obstacles, const Box& ro
 
 // --- Listing and table ---------------------------------------------------------------------------
 
-/// Room for the numbers before the lines and, where a fault changes some, for the signs - and +.
-double listing_indent(const Trace& trace, const Look& look);
+/// How close to each other a listing's numbers, its code and its border come, and the columns of a table.
+enum class Spacing : std::uint8_t { usual, tight };
+
 /// Characters that fit in a line of a listing of this width, and the width that so many need.
-std::size_t listing_columns(const Trace& trace, const Look& look, double width);
-double listing_width(const Trace& trace, const Look& look, std::size_t columns);
+std::size_t listing_columns(const Trace& trace, const Look& look, double width,
+                            Spacing spacing = Spacing::usual);
+double listing_width(const Trace& trace, const Look& look, std::size_t columns,
+                     Spacing spacing = Spacing::usual);
 /// Of the longest line without its trailing comment.
 std::size_t longest_line(const Trace& trace);
 /// A line as rows of at most so many characters: without its trailing comment where that is enough, else
@@ -221,22 +224,26 @@ class ListingRows {
   };
   explicit ListingRows(const Trace& trace) : trace_(&trace), lines_(shown_listing(trace)) {}
   Count at(std::size_t columns);
+  /// Whether some step shows a line that is broken, where so many rows are shown.
+  bool break_a_shown_line(std::size_t columns, int rows);
 
  private:
   const Trace* trace_;
   std::vector<SourceLine> lines_;
   std::map<std::size_t, Count> counts_;  ///< by columns
+  std::map<std::pair<std::size_t, int>, bool> broken_;
 };
-void lay_out_listing(Pen& pen, const Figure& figure, const Look& look, const Box& box, int rows);
+void lay_out_listing(Pen& pen, const Figure& figure, const Look& look, const Box& box, int rows,
+                     Spacing spacing);
 
 /// The columns of the table that fit in this width, in their order: those that tell least are left out.
-std::vector<std::size_t> table_columns(const Trace& trace, double width);
+std::vector<std::size_t> table_columns(const Trace& trace, double width, Spacing spacing = Spacing::usual);
 /// What the table asks for, and what it can do with when so many columns are left out.
 double table_width(const Trace& trace);
-double least_table_width(const Trace& trace, std::size_t left_out);
+double least_table_width(const Trace& trace, std::size_t left_out, Spacing spacing = Spacing::usual);
 /// How many columns may be left out.
 std::size_t spare_columns(const Trace& trace);
-void lay_out_table(Pen& pen, const Figure& figure, const Box& box, int rows);
+void lay_out_table(Pen& pen, const Figure& figure, const Box& box, int rows, Spacing spacing);
 
 // --- Places --------------------------------------------------------------------------------------
 
@@ -255,6 +262,7 @@ Heading heading_of(const Trace& trace, const Look& look, double width, double he
 struct Places {
   Box title, drawing, listing, table, sentence, footer;
   int lines = 0, rows = 0;  ///< that the listing and the table can show
+  Spacing spacing = Spacing::usual;
   int sentence_lines = 2, footer_lines = 1;
   bool bare = false;  ///< the drawing is without what is aside, for which there is no room
   Heading heading;
@@ -274,6 +282,7 @@ Page page_of(const Trace& trace, const Look& look);
 struct Body {
   Box drawing, listing, table;
   int lines = 0, rows = 0;
+  Spacing spacing = Spacing::usual;
 };
 /// What the slots ask for.
 struct Wants {
@@ -284,7 +293,12 @@ struct Wants {
   int rows = 0;                      ///< of the table: all there can be
   std::size_t columns_to_spare = 0;  ///< that the table may leave out beside a listing
   double column_width = 0;           ///< of listing and table beside the drawing
+  bool whole_lines = false;          ///< no line that is shown may be broken
+  std::size_t characters = 0;  ///< in a line of a listing beside a table; 0: as many as there is room for
+  Spacing spacing = Spacing::usual;
   double gutter = 20, column_gap = 24;
+  double row_gutter = 20;  ///< between listing and table side by side
+  double overhang = 0;     ///< of a drawing beside a column, over the sheet's margin
 };
 /// The fewest lines and rows that the text slots are content with.
 struct Least {

@@ -23,7 +23,7 @@ int rows_in(double height) { return static_cast<int>((height - heading_height + 
 
 /// The listing's rows in a slot of this width.
 ListingRows::Count rows_asked(const Wants& wants, double width) {
-  return wants.listing_rows->at(listing_columns(*wants.trace, *wants.look, width));
+  return wants.listing_rows->at(listing_columns(*wants.trace, *wants.look, width, wants.spacing));
 }
 
 /// Without these rows the listing is not shown: a loop's head stays above the line at hand.
@@ -44,6 +44,7 @@ double whole_listing(const Wants& wants) {
 }
 
 void put_listing(Body& body, Box box, const Wants& wants) {
+  body.spacing = wants.spacing;
   body.lines = std::min(lines_in(box.height), rows_asked(wants, box.width).all);
   box.height = height_of_lines(body.lines);
   body.listing = box;
@@ -69,10 +70,15 @@ void put_column(Body& body, const Box& box, const Wants& wants, Least least) {
 /// How wide the listing is beside the table: what it asks for where there is room, else what is left; less
 /// than nothing where that is too little.
 double listing_beside_table(const Box& box, const Wants& wants) {
+  if (wants.characters > 0) {
+    const double listing = listing_width(*wants.trace, *wants.look, wants.characters, wants.spacing);
+    const double table = least_table_width(*wants.trace, wants.columns_to_spare, wants.spacing);
+    return listing + wants.row_gutter + table <= box.width + rounding ? listing : -1;
+  }
   const double asked = whole_listing(wants);
-  const double spare = box.width - wants.gutter - asked - table_width(*wants.trace);
+  const double spare = box.width - wants.row_gutter - asked - table_width(*wants.trace);
   if (spare >= 0) return asked + spare / 2;
-  const double left = box.width - wants.gutter - least_table_width(*wants.trace, wants.columns_to_spare);
+  const double left = box.width - wants.row_gutter - least_table_width(*wants.trace, wants.columns_to_spare);
   const std::size_t fewest = wants.columns_to_spare > 0 ? fewest_beside_few_columns : fewest_characters;
   const double least = listing_width(*wants.trace, *wants.look, std::min(fewest, longest_line(*wants.trace)));
   return left >= least ? std::min(left, asked) : -1;
@@ -83,7 +89,7 @@ void put_row(Body& body, const Box& box, const Wants& wants) {
   Box left = box, right = box;
   if (wants.listing && wants.table) {
     left.width = listing_beside_table(box, wants);
-    right.x = left.right() + wants.gutter;
+    right.x = left.right() + wants.row_gutter;
     right.width = box.right() - right.x;
   }
   if (wants.listing) put_listing(body, left, wants);
@@ -112,7 +118,8 @@ std::optional<Body> beside(const Box& area, const Wants& wants, Least least) {
   if (!wants.listing && !wants.table) return std::nullopt;
   Body body;
   const double width = wants.column_width;
-  body.drawing = {area.x, area.y, area.width - width - wants.column_gap, area.height};
+  body.drawing = {area.x - wants.overhang, area.y, area.width - width - wants.column_gap + wants.overhang,
+                  area.height};
   put_column(body, {area.right() - width, area.y, width, area.height}, wants, least);
   return if_content(body, wants, least);
 }

@@ -13,7 +13,12 @@
 namespace gradus::layout {
 namespace {
 
-constexpr double number_left = 12, number_gap = 14, code_right = 8;
+/// What stands free in a row: before the number, between it and the code, behind the code.
+struct Gaps {
+  double before, between, behind;
+};
+constexpr Gaps usual_gaps{12, 14, 8}, tight_gaps{8, 8, 4};  ///< even: letters of half the size stay sharp
+const Gaps& gaps_of(Spacing spacing) { return spacing == Spacing::tight ? tight_gaps : usual_gaps; }
 constexpr double sign_gap = 8;     ///< from the sign of a changed line to its code
 constexpr double gap_height = 14;  ///< of the row of dots that stands for lines left out
 constexpr std::size_t continuation_indent = 4;
@@ -126,17 +131,26 @@ class Excerpts {
       loops_.push_back(loop_of(lines_, i));
     }
     for (const int number : trace.lines) reporting_.push_back(place_in(lines_, number));
+    const auto is_changed = [](const SourceLine& line) { return line.change != Change::none; };
+    changed_ = std::ranges::any_of(lines_, is_changed);
+    if (!changed_) stillest_ = stillest();
   }
 
   /// The lines to show, ascending.
   std::vector<std::size_t> with(std::optional<std::size_t> current) const {
-    const auto is_changed = [](const SourceLine& line) { return line.change != Change::none; };
-    if (std::ranges::any_of(lines_, is_changed)) return round_changes(current);
-    const Excerpt shown = stillest_with(current);
+    if (changed_) return round_changes(current);
+    const Excerpt shown = current && !holds(stillest_, *current) ? round(*current) : stillest_;
     std::vector<std::size_t> lines;
     if (shown.head) lines.push_back(*shown.head);
     for (std::size_t i = shown.first; i < shown.last; ++i) lines.push_back(i);
     return lines;
+  }
+  /// Whether some step shows a line that takes more than a row.
+  bool break_a_line() const {
+    const auto breaks = [this](std::optional<std::size_t> current) {
+      return std::ranges::any_of(with(current), [this](std::size_t line) { return heights_[line] > 1; });
+    };
+    return breaks(std::nullopt) || std::ranges::any_of(reporting_, breaks);
   }
 
  private:
@@ -198,9 +212,9 @@ class Excerpts {
     return height;
   }
 
-  /// The one that shows most of the lines that report steps and their loops, so that the listing keeps still,
-  /// as long as it shows the current line; else one round that.
-  Excerpt stillest_with(std::optional<std::size_t> current) const {
+  /// The one that shows most of the lines that report steps and their loops, so that the listing keeps still
+  /// as long as it shows the current line.
+  Excerpt stillest() const {
     std::optional<Excerpt> best;
     std::size_t most = 0;
     for (std::size_t first = 0; first < lines_.size(); ++first) {
@@ -218,8 +232,7 @@ class Excerpts {
         if (excerpt.last == lines_.size()) break;
       }
     }
-    if (!current || (best && holds(*best, *current))) return best.value_or(Excerpt{});
-    return round(*current);
+    return best.value_or(Excerpt{});
   }
 
   bool is_loop(std::size_t line) const {
@@ -274,30 +287,41 @@ class Excerpts {
   std::vector<std::size_t> heights_;    ///< rows of each line
   std::vector<std::size_t> loops_;      ///< the head of each line's loop
   std::vector<std::size_t> reporting_;  ///< lines that report steps
+  bool changed_ = false;                ///< by a fault
+  Excerpt stillest_;
 };
 
 /// Where the numbers before the lines end.
-double numbers_indent(const Trace& trace, const Look& look) {
-  if (look.line_numbers == LineNumbers::none || trace.listing.empty()) return number_left;
+double numbers_indent(const Trace& trace, const Look& look, const Gaps& gaps) {
+  if (look.line_numbers == LineNumbers::none || trace.listing.empty()) return gaps.before;
   const std::size_t highest = look.line_numbers == LineNumbers::listing
                                   ? trace.listing.size()
                                   : static_cast<std::size_t>(trace.listing.back().number);
-  return number_left + static_cast<double>(fmt::formatted_size("{}", highest)) * column_width();
+  return gaps.before + static_cast<double>(fmt::formatted_size("{}", highest)) * column_width();
+}
+
+/// Where the code begins: behind the numbers and, where a fault changes lines, the signs - and +.
+double code_indent(const Trace& trace, const Look& look, const Gaps& gaps) {
+  const auto changed = [](const SourceLine& line) { return line.change != Change::none; };
+  const bool signs = !trace.struck.empty() || std::ranges::any_of(trace.listing, changed);
+  const bool numbers = look.line_numbers != LineNumbers::none && !trace.listing.empty();
+  const double after = numbers ? gaps.between : 2;
+  return numbers_indent(trace, look, gaps) + (signs ? after - 4 + column_width() + sign_gap : after);
 }
 
 // --- The slot ------------------------------------------------------------------------------------
 
 class ListingLayout {
  public:
-  ListingLayout(Pen& pen, const Figure& figure, const Look& look, const Box& box)
+  ListingLayout(Pen& pen, const Figure& figure, const Look& look, const Box& box, Spacing spacing)
       : pen_(pen),
         figure_(figure),
         numbers_(look.line_numbers),
         s_(pen.scale()),
         box_(box),
-        columns_(layout::listing_columns(*figure.trace, look, box.width / s_)),
-        number_right_(box.x + numbers_indent(*figure.trace, look) * s_),
-        text_left_(box.x + listing_indent(*figure.trace, look) * s_) {}
+        columns_(layout::listing_columns(*figure.trace, look, box.width / s_, spacing)),
+        number_right_(box.x + numbers_indent(*figure.trace, look, gaps_of(spacing)) * s_),
+        text_left_(box.x + code_indent(*figure.trace, look, gaps_of(spacing)) * s_) {}
 
   void draw(int rows) {
     pen_.rect(
@@ -407,27 +431,21 @@ class ListingLayout {
 
 }  // namespace
 
-double listing_indent(const Trace& trace, const Look& look) {
-  const auto changed = [](const SourceLine& line) { return line.change != Change::none; };
-  const bool signs = !trace.struck.empty() || std::ranges::any_of(trace.listing, changed);
-  const bool numbers = look.line_numbers != LineNumbers::none && !trace.listing.empty();
-  const double after = numbers ? number_gap : 2;
-  return numbers_indent(trace, look) + (signs ? after - 4 + column_width() + sign_gap : after);
-}
-
-std::size_t listing_columns(const Trace& trace, const Look& look, double width) {
-  const double room = width - listing_indent(trace, look) - code_right;
+std::size_t listing_columns(const Trace& trace, const Look& look, double width, Spacing spacing) {
+  const double room = width - listing_width(trace, look, 0, spacing);
   return static_cast<std::size_t>(std::max(1.0, std::floor(room / column_width() + 1e-6)));
 }
 
-double listing_width(const Trace& trace, const Look& look, std::size_t columns) {
-  return listing_indent(trace, look) + static_cast<double>(columns) * column_width() + code_right;
+double listing_width(const Trace& trace, const Look& look, std::size_t columns, Spacing spacing) {
+  const Gaps& gaps = gaps_of(spacing);
+  return code_indent(trace, look, gaps) + static_cast<double>(columns) * column_width() + gaps.behind;
 }
 
 std::size_t longest_line(const Trace& trace) {
   std::size_t most = 1;
-  for (const SourceLine& line : shown_listing(trace)) {
-    most = std::max(most, characters_in(without_trailing_comment(line.text)));
+  for (const auto* lines : {&trace.listing, &trace.struck}) {
+    for (const SourceLine& line : *lines)
+      most = std::max(most, characters_in(without_trailing_comment(line.text)));
   }
   return most;
 }
@@ -464,8 +482,16 @@ ListingRows::Count ListingRows::at(std::size_t columns) {
   return count;
 }
 
-void lay_out_listing(Pen& pen, const Figure& figure, const Look& look, const Box& box, int rows) {
-  ListingLayout(pen, figure, look, box).draw(rows);
+bool ListingRows::break_a_shown_line(std::size_t columns, int rows) {
+  const auto [place, is_new] = broken_.try_emplace({columns, rows});
+  if (is_new)
+    place->second = columns < longest_line(*trace_) && Excerpts(*trace_, columns, rows).break_a_line();
+  return place->second;
+}
+
+void lay_out_listing(Pen& pen, const Figure& figure, const Look& look, const Box& box, int rows,
+                     Spacing spacing) {
+  ListingLayout(pen, figure, look, box, spacing).draw(rows);
 }
 
 }  // namespace gradus::layout

@@ -29,8 +29,12 @@ constexpr std::array<Least, 4> content_with{Least{12, 4}, Least{6, 4}, Least{4, 
 constexpr std::size_t on_a_slide = 1;  ///< the first that a slide tries; a handout has room for more text
 /// What each of them costs in the choice, and a step of the line length, and a column left out.
 constexpr double cost_of_less = 0.12, cost_of_shorter = 0.03, cost_of_unusual = 0.02;
+constexpr double cost_of_tight = 0.002;  ///< less than what its room is worth to a drawing
+constexpr double tight_gap = 0.5;        ///< what is left of the usual gap between slots
+constexpr double tight_overhang = 0.5;   ///< of the margin: so far a paper reaches into it that got smaller
 constexpr double cost_of_column = 0.2, cost_of_column_above_code = 0.08;
-constexpr double last_resort = 5;  ///< where nothing else shows anything
+constexpr double most_for_whole_lines = 0.3;  ///< of the drawing's worth, rather than break lines
+constexpr double last_resort = 5;             ///< where nothing else shows anything
 
 bool stands_below(const Page& page) { return page.width < wide_sheet * page.height; }
 
@@ -43,6 +47,7 @@ Wants wants_of(const Trace& trace, const Look& look, const Page& page, ListingRo
   wants.table = look.slots.contains(Slot::table) && !trace.columns.empty();
   wants.rows = static_cast<int>(std::clamp<std::int64_t>(trace.last + 1, 2, most_rows));
   wants.gutter = page.margin * 0.4;
+  wants.row_gutter = wants.gutter;
   wants.column_gap = page.margin * 0.6;
   return wants;
 }
@@ -52,27 +57,76 @@ Wants wants_of(const Trace& trace, const Look& look, const Page& page, ListingRo
 /// A column beside the drawing, and what it costs.
 struct ColumnChoice {
   double width, cost;
+  Spacing spacing = Spacing::usual;
 };
+
+/// Widths of a listing in a column, the first choice first.
+std::vector<ColumnChoice> listing_choices(const Wants& wants) {
+  const std::size_t longest = longest_line(*wants.trace);
+  const auto width = [&](std::size_t length, Spacing spacing) {
+    return listing_width(*wants.trace, *wants.look, std::min(length, longest), spacing);
+  };
+  std::vector<ColumnChoice> choices;
+  if (wants.whole_lines) {
+    for (const Spacing spacing : {Spacing::usual, Spacing::tight}) {
+      const double cost = spacing == Spacing::tight ? cost_of_tight : 0;
+      for (std::size_t length = longest; length >= line_lengths.back(); --length)
+        choices.push_back({width(length, spacing), cost, spacing});
+    }
+    return choices;
+  }
+  double shorter = 0;
+  for (const std::size_t length : line_lengths) {
+    choices.push_back({width(length, Spacing::usual), shorter});
+    if (length <= longest) shorter += cost_of_shorter;
+  }
+  return choices;
+}
 
 /// The first is the widest: all columns of the table, no line of the listing broken more than it must.
 std::vector<ColumnChoice> column_choices(const Wants& wants) {
   const Trace& trace = *wants.trace;
-  std::vector<ColumnChoice> choices;
   if (!wants.listing) return {{std::max(table_width(trace), 280.0), 0}, {least_table_width(trace, 0), 0}};
-  const std::size_t longest = longest_line(trace);
-  double shorter = 0;
-  for (const std::size_t length : line_lengths) {
-    const double listing = listing_width(trace, *wants.look, std::min(length, longest));
+  std::vector<ColumnChoice> choices;
+  for (const ColumnChoice& listing : listing_choices(wants)) {
+    const bool first = choices.empty() || choices.back().spacing != listing.spacing;
     const std::size_t spare = wants.table ? spare_columns(trace) : 0;
     for (std::size_t left_out = 0; left_out <= spare; ++left_out) {
-      const double table = wants.table ? least_table_width(trace, left_out) : 0;
-      const double width = std::max(listing, table);
-      if (choices.empty() || width < choices.back().width - 1) choices.push_back({width, shorter});
-      if (table <= listing) break;
+      const double table = wants.table ? least_table_width(trace, left_out, listing.spacing) : 0;
+      const double width = std::max(listing.width, table);
+      if ((first && left_out == 0) || width < choices.back().width - 1)
+        choices.push_back({width, listing.cost, listing.spacing});
+      if (table <= listing.width) break;
     }
-    if (length <= longest) shorter += cost_of_shorter;
   }
   return choices;
+}
+
+/// The wants with a column.
+Wants with_column(Wants wants, const ColumnChoice& column) {
+  wants.column_width = column.width;
+  wants.spacing = column.spacing;
+  if (column.spacing == Spacing::tight) {
+    wants.column_gap *= tight_gap;
+  } else {
+    wants.overhang = 0;
+  }
+  return wants;
+}
+
+/// Ways to stand below the drawing. A listing of whole lines takes no more of a table that stands close than
+/// it needs.
+std::vector<Wants> layings_below(const Wants& wants) {
+  std::vector<Wants> layings{wants};
+  if (!wants.whole_lines || !wants.table) return layings;
+  for (std::size_t length = line_lengths.back(); length <= longest_line(*wants.trace); ++length) {
+    Wants with = wants;
+    with.spacing = Spacing::tight;
+    with.row_gutter *= tight_gap;
+    with.characters = length;
+    layings.push_back(with);
+  }
+  return layings;
 }
 
 /// One arrangement with its sizes, and how much it costs that it gives the texts less than others.
@@ -88,6 +142,7 @@ template <class F>
 void for_each_candidate(const Wants& wants, const Page& page, const Look& look, F f) {
   const std::vector<ColumnChoice> columns =
       wants.listing || wants.table ? column_choices(wants) : std::vector<ColumnChoice>{};
+  const std::vector<Wants> layings = layings_below(wants);
   const bool below = stands_below(page);
   for (std::size_t i = look.layout == Layout::slide ? on_a_slide : 0; i < content_with.size(); ++i) {
     const double less = cost_of_less * static_cast<double>(i);
@@ -96,22 +151,19 @@ void for_each_candidate(const Wants& wants, const Page& page, const Look& look, 
     };
     if (offer(alone, wants, 0)) return;
     if (!below || !wants.listing) {
-      for (const ColumnChoice& column : columns) {
-        Wants with = wants;
-        with.column_width = column.width;
-        if (offer(beside, with, column.cost)) return;
-      }
+      for (const ColumnChoice& column : columns)
+        if (offer(beside, with_column(wants, column), column.cost)) return;
       if (offer(abreast, wants, cost_of_unusual)) return;
     }
     for (const Arrange arrange : {shelf, ledge, stack}) {
-      if (offer(arrange, wants, below ? 0 : cost_of_unusual)) return;
+      for (const Wants& laying : arrange == ledge ? layings : std::vector{wants}) {
+        const double tight = laying.spacing == Spacing::tight ? cost_of_tight : 0;
+        if (offer(arrange, laying, tight + (below ? 0 : cost_of_unusual))) return;
+      }
     }
     if (!below || !wants.listing) continue;
-    for (const ColumnChoice& column : columns) {
-      Wants with = wants;
-      with.column_width = column.width;
-      if (offer(beside, with, last_resort)) return;
-    }
+    for (const ColumnChoice& column : columns)
+      if (offer(beside, with_column(wants, column), last_resort)) return;
   }
 }
 
@@ -141,14 +193,21 @@ struct Choice {
 
 double cost_of_table(const Wants& wants, const Body& body, const Page& page) {
   if (!wants.table) return 0;
-  const std::size_t shown = table_columns(*wants.trace, body.table.width).size();
+  const std::size_t shown = table_columns(*wants.trace, body.table.width, body.spacing).size();
   return static_cast<double>(wants.trace->columns.size() - shown) *
          (stands_below(page) ? cost_of_column_above_code : cost_of_column);
 }
 
+/// Whether a line that some step shows is broken.
+bool breaks_a_line(const Wants& wants, const Body& body) {
+  if (body.listing.width <= 0) return false;
+  const std::size_t columns = listing_columns(*wants.trace, *wants.look, body.listing.width, body.spacing);
+  return wants.listing_rows->break_a_shown_line(columns, body.lines);
+}
+
 std::optional<Choice> choice_of(const Candidate& candidate, const Stage& stage, const Page& page) {
   const std::optional<Body> body = candidate.arrange(page.middle, candidate.wants, candidate.least);
-  if (!body) return std::nullopt;
+  if (!body || (candidate.wants.whole_lines && breaks_a_line(candidate.wants, *body))) return std::nullopt;
   const std::optional<Fit> shown = fit(stage, body->drawing.width, body->drawing.height);
   if (!shown) return std::nullopt;
   return Choice{*body, worth_of(*shown, stage, page),
@@ -211,8 +270,8 @@ bool poor(const std::optional<Choice>& choice, const Stage& stage) {
   return !choice || (stage.content && choice->worth < poor_paper);
 }
 
-Body body_of(const Page& page, Wants wants, const Look& look, const Stage& stage) {
-  if (!look.slots.contains(Slot::drawing)) return without_drawing(page.middle, wants);
+/// Leaves in the wants what may be shown.
+std::optional<Choice> choice_for(const Page& page, Wants& wants, const Look& look, const Stage& stage) {
   auto choice = best_of(wants, look, stage, page);
   for (bool* slot : {&wants.listing, &wants.table}) {
     if (!may_give_way(look) || (choice && legible(*choice))) break;
@@ -226,8 +285,47 @@ Body body_of(const Page& page, Wants wants, const Look& look, const Stage& stage
     const auto other = best_of(wants, look, stage, page);
     if (!choice || (other && other->worth > choice->worth)) choice = other;
   }
+  return choice;
+}
+
+/// The best that breaks no line: where that takes much of the drawing, the table had better give columns up.
+std::optional<Choice> choice_of_whole_lines(const Page& page, Wants wants, const Look& look,
+                                            const Stage& stage) {
+  wants.whole_lines = true;
+  std::optional<Choice> choice;
+  const std::size_t most = stage.fixed || !wants.table ? 0 : spare_columns(*wants.trace);
+  for (wants.columns_to_spare = 0; wants.columns_to_spare <= most; ++wants.columns_to_spare) {
+    const auto other = best_of(wants, look, stage, page);
+    if (!choice || (other && other->worth - other->cost > choice->worth - choice->cost)) choice = other;
+  }
+  return choice;
+}
+
+/// Listing and table without a drawing. (The small boxes of a handout have no room for whole lines.)
+Body texts_of(const Page& page, const Wants& wants) {
+  Wants whole = wants;
+  whole.whole_lines = !may_give_way(*wants.look);
+  for (const Wants& laying : layings_below(whole)) {
+    const Body body = without_drawing(page.middle, laying);
+    if (!breaks_a_line(laying, body)) return body;
+  }
+  return without_drawing(page.middle, wants);
+}
+
+Body body_of(const Page& page, Wants wants, const Look& look, const Stage& stage) {
+  if (!look.slots.contains(Slot::drawing)) return texts_of(page, wants);
+  auto choice = choice_for(page, wants, look, stage);
+  if (choice && !may_give_way(look) && breaks_a_line(wants, choice->body)) {
+    auto other = choice_of_whole_lines(page, wants, look, stage);
+    if (stage.content && other && other->worth < choice->worth) {
+      Wants wider = wants;
+      wider.overhang = page.margin * tight_overhang;
+      other = choice_of_whole_lines(page, wider, look, stage);
+    }
+    if (other && other->worth >= choice->worth - most_for_whole_lines) choice = other;
+  }
   if (choice) return choice->body;
-  if (!stage.fixed) return without_drawing(page.middle, wants);
+  if (!stage.fixed) return texts_of(page, wants);
   const ivec2 largest = largest_in(page, wants, look, stage);
   contract_violated(fmt::format("expected at most {} x {} cells for this size, found {} x {}", largest.x,
                                 largest.y, stage.cells.width(), stage.cells.height()));
@@ -257,6 +355,7 @@ Places places_of(const Trace& trace, const Look& look, const Stage& stage) {
   at.table = body.table;
   at.lines = body.lines;
   at.rows = body.rows;
+  at.spacing = body.spacing;
   return at;
 }
 

@@ -10,8 +10,9 @@
 namespace gradus::layout {
 namespace {
 
-constexpr double side_padding = 6;              ///< left and right of all columns
-constexpr double easy_gap = 22, least_gap = 9;  ///< between the texts of two columns
+constexpr double side_padding = 6;  ///< left and right of all columns
+/// Between the texts of two columns; tight beside a listing whose lines would be broken else.
+constexpr double easy_gap = 22, least_gap = 9, closest_gap = 5;
 constexpr std::size_t fewest_columns = 3;
 
 /// The width of a column's widest text.
@@ -27,6 +28,8 @@ double width_of(const Trace& trace, const std::vector<std::size_t>& columns, dou
   for (const std::size_t c : columns) sum += text_room(trace, c) + gap;
   return sum;
 }
+
+double least_gap_of(Spacing spacing) { return spacing == Spacing::tight ? closest_gap : least_gap; }
 
 std::vector<std::size_t> all_columns(const Trace& trace) {
   std::vector<std::size_t> columns(trace.columns.size());
@@ -57,13 +60,13 @@ std::vector<std::pair<double, double>> column_places(const Trace& trace, const B
 
 class TableLayout {
  public:
-  TableLayout(Pen& pen, const Figure& figure, const Box& box)
+  TableLayout(Pen& pen, const Figure& figure, const Box& box, Spacing spacing)
       : pen_(pen),
         figure_(figure),
         trace_(*figure.trace),
         s_(pen.scale()),
         box_(box),
-        columns_(table_columns(trace_, box.width / s_)),
+        columns_(table_columns(trace_, box.width / s_, spacing)),
         places_(column_places(trace_, box, s_, columns_)) {}
 
   void draw(int room) {
@@ -175,21 +178,21 @@ std::size_t spare_columns(const Trace& trace) {
 
 double table_width(const Trace& trace) { return width_of(trace, all_columns(trace), easy_gap); }
 
-double least_table_width(const Trace& trace, std::size_t left_out) {
+double least_table_width(const Trace& trace, std::size_t left_out, Spacing spacing) {
   std::vector<std::size_t> columns = all_columns(trace);
   for (std::size_t i = 0; i < std::min(left_out, spare_columns(trace)); ++i) leave_one_out(trace, columns);
-  return width_of(trace, columns, least_gap);
+  return width_of(trace, columns, least_gap_of(spacing));
 }
 
-std::vector<std::size_t> table_columns(const Trace& trace, double width) {
+std::vector<std::size_t> table_columns(const Trace& trace, double width, Spacing spacing) {
   std::vector<std::size_t> columns = all_columns(trace);
-  while (columns.size() > 1 && width_of(trace, columns, least_gap) > width + 1e-6)
+  while (columns.size() > 1 && width_of(trace, columns, least_gap_of(spacing)) > width + 1e-6)
     leave_one_out(trace, columns);
   return columns;
 }
 
-void lay_out_table(Pen& pen, const Figure& figure, const Box& box, int rows) {
-  TableLayout(pen, figure, box).draw(rows);
+void lay_out_table(Pen& pen, const Figure& figure, const Box& box, int rows, Spacing spacing) {
+  TableLayout(pen, figure, box, spacing).draw(rows);
 }
 
 }  // namespace gradus::layout
