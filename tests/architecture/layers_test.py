@@ -439,7 +439,7 @@ class Planted(unittest.TestCase):
                 self.caught("wish.cpp:1: names the topic light")
 
     def test_an_observer_line_of_another_form(self):
-        self.write("algorithms/lines/a_line/a_line.hpp", HEADER.replace("if constexpr (observed<O>) observer", "observer"))
+        self.write("algorithms/lines/a_line/a_line.hpp", HEADER.replace("if constexpr (observed<O>) observer(Stepped{from, from, from, from})", "observer(Stepped{from})"))
         self.caught("a_line.hpp:8: not of the form")
 
     def test_an_observer_line_on_two_lines(self):

@@ -299,8 +299,8 @@ void leave_out_vanished(std::vector<Piece<T>>& pieces) {
 }
 
 /// The pieces that rings bound, each with the holes in it. Takes the rings.
-template <class T, class Window, class O>
-std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window>& scene, O& observer) {
+template <class T, class Window>
+std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window>& scene) {
   const bool touch = scene.polygon.touch;
   std::vector<Ring<T>> outer, inner;
   for (Ring<T>& ring : rings) {
@@ -333,10 +333,6 @@ std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window
     holes.insert(holes.end(), simple.begin(), simple.end());
   }
   leave_out_vanished(pieces);
-  const std::span<const Piece<T>> all = pieces;
-  for (const Piece<T>& piece : all) {
-    if constexpr (observed<O>) observer(PieceTraced<T>{number_in(all, piece), piece});
-  }
   return pieces;
 }
 
@@ -373,7 +369,7 @@ template <class T, class Window,
 std::vector<Piece<T>> separate_pieces(const Rings<T>& polygon, const Window& window,
                                       std::span<const int> order, O&& observer = {}) {
   expect_window(window);
-  auto s = scene_of(polygon, window);
+  auto s(scene_of(polygon, window));
   auto rings = polygon.rings;
   // Split at each border in turn
   for (const int border : order) {
@@ -382,7 +378,11 @@ std::vector<Piece<T>> separate_pieces(const Rings<T>& polygon, const Window& win
   }
   // Holes that no border met go
   // to the piece they lie in
-  return grouped(rings, s, observer);
+  auto pieces = grouped(rings, s);
+  for (const auto& p : pieces) {
+    if constexpr (observed<O>) observer(PieceTraced<T>{number_in<Piece<T>>(pieces, p), p});
+  }
+  return pieces;
 }
 
 /// The same, in the borders' own order: left, right, bottom, top.

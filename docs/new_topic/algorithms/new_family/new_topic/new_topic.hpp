@@ -30,6 +30,12 @@ struct Finished {
   std::int64_t pixels;  ///< how many were plotted
 };
 
+/// How many pixels a walk visits: what only a report tells is no variable of the method.
+constexpr std::int64_t pixels_of(ivec2 from, ivec2 to) {
+  const auto apart = [](std::int64_t a, std::int64_t b) { return a < b ? b - a : a - b; };
+  return apart(from.x, to.x) + apart(from.y, to.y) + 1;
+}
+
 // --- The taught method -------------------------------------------
 
 /// FILL IN: what it does; then author, title, year and page of the source.
@@ -44,23 +50,21 @@ struct Finished {
 /// Errors: none.
 template <class Plot, Observer<Started, Stepped, Finished> O = Unobserved>
 constexpr void walk(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
-  ivec2 pixel = from;
-  std::int64_t pixels = 1;
+  ivec2 p = from;
   if constexpr (observed<O>) observer(Started{from, to});
-  plot(pixel);
-  while (pixel != to) {
-    // To the column first, then to the row
-    if (pixel.x != to.x) {
-      pixel.x += pixel.x < to.x ? 1 : -1;
-      if constexpr (observed<O>) observer(Stepped{pixel, false});
+  plot(p);
+  while (p != to) {
+    // First to the end's column
+    if (p.x != to.x) {
+      p.x += p.x < to.x ? 1 : -1;
+      if constexpr (observed<O>) observer(Stepped{p, false});
     } else {
-      pixel.y += pixel.y < to.y ? 1 : -1;
-      if constexpr (observed<O>) observer(Stepped{pixel, true});
+      p.y += p.y < to.y ? 1 : -1;
+      if constexpr (observed<O>) observer(Stepped{p, true});
     }
-    plot(pixel);
-    ++pixels;
+    plot(p);
   }
-  if constexpr (observed<O>) observer(Finished{pixels});
+  if constexpr (observed<O>) observer(Finished{pixels_of(from, to)});
 }
 
 }  // namespace gradus::new_topic
