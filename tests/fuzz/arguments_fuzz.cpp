@@ -74,8 +74,11 @@ void use(const Parameter& parameter, const std::string& text) {
       break;
     }
     case ParameterType::points: {
-      const std::size_t count = parameter.parts.size() == 2 ? arguments.points(parameter.name).size()
-                                                            : arguments.places(parameter.name).size();
+      const std::size_t count = arguments.tuples(parameter.name).size();
+      if (parameter.parts.size() == 2)
+        require(arguments.points(parameter.name).size() == count, "points of the plane");
+      if (parameter.parts.size() == 3)
+        require(arguments.places(parameter.name).size() == count, "points of space");
       require(static_cast<std::int64_t>(count) >= parameter.least &&
                   static_cast<std::int64_t>(count) <= parameter.most,
               "there are as many points as allowed");
