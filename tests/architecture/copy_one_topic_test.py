@@ -64,7 +64,7 @@ class CopyOneTopic(unittest.TestCase):
         core = [h.relative_to(self.folder) for h in sorted((self.folder / "core").rglob("*.hpp"))
                 if not h.name.endswith("-inl.hpp")]
         precompiled = project.precompiled(self.folder, project.COMPILER, *self.flags(), headers=core)
-        for topic in share_of(topics.values(), 3):
+        for topic in share_of(topics.values(), 5):
             with self.subTest(topic.name):
                 for path in needed(topic):
                     self.copy(path)

@@ -16,7 +16,7 @@ from player_addresses import address, address_round_trip, copying, in_a_frame
 from player_controls import backwards, bookmarks, differences, fine_steps, keyboard_and_mouse, looping, playing
 from player_page import Checks, FITS, MADE, Page, any_page, narrow, no_noise, one_a_topic
 from player_readers import keyboard_alone, languages, readers
-from webdriver import Browser, WebDriverError
+from webdriver import Browser, WebDriverError, share_of
 
 
 def data_of(path):
@@ -62,7 +62,7 @@ def dropped_slots(check, browser, made):
         check.equal(f'{slot}: the whole page has its texts', [t for t in wanted if json.dumps(t, ensure_ascii=False)[1:-1] not in full], [])
     check.that('the whole trace has all members', set().union(*members.values()) - names_in(whole) <= {'before', 'removed'} | names_in(whole),
                set().union(*members.values()) - names_in(whole))
-    for path in sorted([*made.glob('without_*.html'), *made.glob('only_*.html')]):
+    for path in share_of(sorted([*made.glob('without_*.html'), *made.glob('only_*.html')]), 2):
         kind, slot = path.stem.split('_')
         gone = [slot] if kind == 'without' else [s for s in texts if s != slot]
         text, trace = path.read_text(encoding='utf-8'), data_of(path)['trace']
