@@ -45,12 +45,14 @@ async function openLive() {
   await bench.open(bench.state);
   tellOfAddress(player, [player.parts.notice.textContent || told, unknown]);
   performance.measure('gradus: alive', {start: started, end: performance.now()});
-  addEventListener('hashchange', async () => {
-    const hash = readable(location.hash), parts = addressParts(hash), wanted = parts.get('language');
+  addEventListener('hashchange', async (event) => {
+    // By now the page may have written its own address over that one
+    const hash = readable(new URL(event.newURL).hash), parts = addressParts(hash), wanted = parts.get('language');
     if (languages.includes(wanted) && wanted !== language) return location.reload();
     await bench.open(stateOf(parts, bench.topics, language));
     followAddress(player, hash);
     tellOfAddress(player, [player.parts.notice.textContent, unknownIn(parts, bench.topics, languages)]);
+    if (location.hash !== hash) noteAddress(player);
   });
 }
 window.opened = openLive();
