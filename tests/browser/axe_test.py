@@ -85,7 +85,7 @@ class Reader:
         is_player = 'id="gradus-page"' in path.read_text(encoding='utf-8')
         dialogs = EVERYTHING or not is_player or self.players < len(WAYS)
         ways = self.ways_of(path, is_player)
-        # Of one kind per way comes again after four pages, then folded the other way
+        # For pages of one kind, each way comes again after four, then folded the other way
         read = self.players if is_player else self.topics
         for (size, scheme), folded in zip(ways, FOLDED if len(ways) > 1 else [(read - 1) // len(WAYS) % 2 == 0]):
             self.open(path, size, '', scheme)
