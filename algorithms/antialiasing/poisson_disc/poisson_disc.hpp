@@ -105,7 +105,8 @@ struct Ring {
   dvec2 at(dvec2 sample, Random& random) const {
     const double angle = random.uniform(0, 6.283185307179586);
     const double distance = radius * sqrt(1 + 3 * random.unit());
-    const dvec2 place = sample + distance * dvec2(cos(angle), sin(angle));
+    const auto [s, c] = sin_cos(angle);
+    const dvec2 place = sample + distance * dvec2(c, s);
     if (!area.wraps) return place;
     const dvec2 round = place - area.size * glm::floor(place / area.size);
     return {round.x < area.size.x ? round.x : 0, round.y < area.size.y ? round.y : 0};
@@ -156,6 +157,7 @@ inline void expect_area(const Area& area, double radius) {
   const double width = area.size.x, height = area.size.y;
   expects(0 < width && width <= 0x1p500 && 0 < height && height <= 0x1p500,
           "an area has a size above 0, not {} x {}", width, height);
+  expects(radius >= 0x1p-500, "a radius of at least 2^-500, whose square is not 0, not {}", radius);
   expects(radius <= 0x1p500 && std::max(width, height) * 1.5 <= radius * most_cells,
           "a radius above {} of the area's longer side, not {}", 1.5 / most_cells, radius);
   expects(!area.wraps || 2 * radius <= std::min(width, height),
@@ -170,9 +172,8 @@ inline void expect_area(const Area& area, double radius) {
 /// area: where. radius: the distance of any two samples, in its unit. misses: how many darts in a row must
 ///   miss, >= 1. plot(dvec2) is called for each sample, in their order.
 ///
-/// Domain: as expect_area says: the radius is no smaller than 1.5/2^14 of the longer side, and of a tile at
-/// most
-///   half of the shorter.
+/// Domain: as expect_area says: the radius is at least 1.5/2^14 of the longer side and 2^-500, and of a tile
+///   at most half of the shorter.
 /// Steps: Started Tried+ Finished.
 /// Accuracy: no two samples are nearer than the radius, not even by a rounding. It leaves gaps: how many
 ///   darts must miss is all that ends it.

@@ -47,19 +47,29 @@ constexpr bool contains(const Area& area, dvec2 p) {
   return 0 <= p.x && p.x < area.size.x && 0 <= p.y && p.y < area.size.y;
 }
 
+/// How many cells an area is cut into, across and up: so small that a diagonal is at most the radius.
+inline ivec2 cells_of(const Area& area, double radius) {
+  return glm::max(glm::ceil(area.size * (1.4142135623730951 / radius)), 1.0);
+}
+
+/// The cell of so many that a place of the area lies in.
+inline ivec2 cell_at(const Area& area, ivec2 cells, dvec2 place) {
+  return glm::min(ivec2(place / area.size * dvec2(cells)), cells - 1);
+}
+
 /// Which sample lies in which cell. A cell's diagonal is at most the radius, so that no cell holds two.
 class Grid {
  public:
   Grid(const Area& area, double radius)
       : area_(area),
-        cells_(glm::max(glm::ceil(area.size * (1.4142135623730951 / radius)), 1.0)),
+        cells_(cells_of(area, radius)),
         reach_(glm::ceil(radius * dvec2(cells_) / area.size)),
         samples_(static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y), dvec2(-1)) {}
 
   ivec2 cells() const { return cells_; }
   /// How many cells away a sample may lie that is too near.
   ivec2 reach() const { return reach_; }
-  ivec2 cell_of(dvec2 place) const { return glm::min(ivec2(place / area_.size * dvec2(cells_)), cells_ - 1); }
+  ivec2 cell_of(dvec2 place) const { return cell_at(area_, cells_, place); }
   void put(dvec2 sample) { samples_[index(cell_of(sample))] = sample; }
   int samples() const {
     return static_cast<int>(std::ranges::count_if(samples_, [](dvec2 sample) { return sample.x >= 0; }));
@@ -81,8 +91,12 @@ class Grid {
     return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_.x) +
            static_cast<std::size_t>(cell.x);
   }
+  /// Of a tile, on which nobody is asked from farther away than once round it.
+  static int inside(int cell, int count) {
+    return cell < 0 ? cell + count : cell >= count ? cell - count : cell;
+  }
   void ask(ivec2 cell, dvec2 place, Nearest& nearest) const {
-    if (area_.wraps) cell = (cell % cells_ + cells_) % cells_;
+    if (area_.wraps) cell = {inside(cell.x, cells_.x), inside(cell.y, cells_.y)};
     if (cell.x < 0 || cell.x >= cells_.x || cell.y < 0 || cell.y >= cells_.y) return;
     const dvec2 sample = samples_[index(cell)];
     if (sample.x >= 0) nearest.ask(area_, place, sample);

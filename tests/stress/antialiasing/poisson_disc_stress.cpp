@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "antialiasing/poisson_disc/poisson_disc_batch.hpp"
 #include "stress/numbers.hpp"
 
 namespace gradus::stress {
@@ -114,6 +115,15 @@ double bridson_error(const Input& i) {
     bridson(area, radius, tries, random, [&](dvec2 p) { samples.push_back(p); });
   });
 }
+double batch_error(const Input& i) {
+  const int tries = 1 <= i[4] && i[4] <= 100 ? static_cast<int>(i[4]) : 1;
+  return error_of(i, [&](const Area& area, double radius, Random random, std::vector<dvec2>& samples) {
+    samples = bridson_batch(area, radius, tries, random);
+    std::vector<dvec2> right;
+    bridson(area, radius, tries, random, [&](dvec2 p) { right.push_back(p); });
+    if (right != samples) samples.assign(1, dvec2(-1));
+  });
+}
 double dart_error(const Input& i) {
   const int misses = 1 <= i[4] && i[4] <= 100 ? static_cast<int>(i[4]) : 1;
   return error_of(i, [&](const Area& area, double radius, Random random, std::vector<dvec2>& samples) {
@@ -184,6 +194,7 @@ Domain poisson_disc() {
   return {
       "poisson_disc",
       {of_area("bridson", "samples in their area, no two nearer than the radius", bridson_error),
+       of_area("batch", "the samples of bridson, to the bit", batch_error),
        of_area("dart_throwing", "samples in their area, no two nearer than the radius", dart_error),
        of_area("neighbours", "each sample of bridson but the first has one within two radii", alone_error),
        {.name = "best_candidate",

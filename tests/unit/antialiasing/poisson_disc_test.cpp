@@ -9,7 +9,9 @@
 #include <limits>
 #include <vector>
 
+#include "antialiasing/poisson_disc/poisson_disc_batch.hpp"
 #include "core/record.hpp"
+#include "support/every_target.hpp"
 #include "support/random_edges.hpp"
 #include "support/sanitized.hpp"
 
@@ -77,6 +79,42 @@ TEST(PoissonDisc, CopiesOfATileKeepTheirDistance) {
   // What does not wrap comes nearer across the border
   const auto plain = by_bridson({dvec2(1)}, 0.1);
   EXPECT_LT(least_distance(tile, plain), 0.1);
+}
+
+TEST(PoissonDisc, TheBatchHasTheSamplesOfBridsonToTheBit) {
+  SCOPED_TRACE(seed);
+  Random random(seed);
+  std::size_t samples = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double scale = std::ldexp(1, static_cast<int>(random.uniform_int(-480, 480)));
+    const dvec2 size = scale * dvec2(random.uniform(0.3, 2), random.uniform(0.3, 2));
+    const Area area{size, random.unit() < 0.5};
+    const double radius = std::min(size.x, size.y) / random.uniform(2, 25);
+    const int tries = static_cast<int>(random.uniform_int(1, 40));
+    const auto stream = static_cast<std::uint64_t>(i);
+    const auto right = by_bridson(area, radius, tries, stream);
+    test::on_every_target(
+        [&] { ASSERT_EQ(bridson_batch(area, radius, tries, Random(seed, stream)), right) << "area " << i; });
+    samples += right.size();
+  }
+  EXPECT_GT(samples, 5000u);
+}
+
+TEST(PoissonDisc, TheBatchHasThemAtItsSmallestAndItsThinnestToo) {
+  SCOPED_TRACE(seed);
+  // 11, 12 and 13 cells across; strips of few; tiles of two radii; what is large beside its radius
+  for (const bool wraps : {false, true}) {
+    for (const double radius : {1.5 / 11, 1.4143 / 11, 1.41422 / 12, 1.4142 / 12, 0.5, 0.04}) {
+      for (const dvec2 size : {dvec2(1), dvec2(7, 1), dvec2(1, 3)}) {
+        const Area area{size, wraps};
+        const auto right = by_bridson(area, radius);
+        test::on_every_target(
+            [&] { ASSERT_EQ(bridson_batch(area, radius, 30, Random(seed)), right) << radius; });
+      }
+    }
+  }
+  EXPECT_THROW(bridson_batch({dvec2(1)}, 0.1, 0, Random(1)), ContractViolation);
+  EXPECT_THROW(bridson_batch({dvec2(1)}, 0, 30, Random(1)), ContractViolation);
 }
 
 TEST(PoissonDisc, BridsonLeavesNoGapOfTwoRadii) {
@@ -232,6 +270,9 @@ TEST(PoissonDisc, RefusesWhatItCannotFill) {
   EXPECT_THROW(bridson({dvec2(1)}, std::numeric_limits<double>::infinity(), 30, Random(1), nothing),
                ContractViolation);
   EXPECT_THROW(bridson({dvec2(1)}, 1e-5, 30, Random(1), nothing), ContractViolation);
+  // Squares of such distances are 0: none would be too near, and there would be no end
+  EXPECT_THROW(bridson({dvec2(0x1p-540)}, 0x1p-543, 30, Random(1), nothing), ContractViolation);
+  EXPECT_EQ(by_bridson({dvec2(0x1p-480)}, 0x1p-483).size(), by_bridson({dvec2(1)}, 0.125).size());
   EXPECT_THROW(bridson({dvec2(1, 0)}, 0.1, 30, Random(1), nothing), ContractViolation);
   EXPECT_THROW(bridson({dvec2(1), true}, 0.6, 30, Random(1), nothing), ContractViolation);
   EXPECT_THROW(dart_throwing({dvec2(1)}, 0.1, 0, Random(1), nothing), ContractViolation);
