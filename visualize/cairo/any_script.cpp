@@ -40,7 +40,6 @@ struct Pango {
   GRADUS_ON_DEMAND(pango_layout_set_single_paragraph_mode);
   GRADUS_ON_DEMAND(pango_layout_set_text);
   GRADUS_ON_DEMAND(pango_layout_set_width);
-  GRADUS_ON_DEMAND(pango_version_string);
 };
 
 const Pango& pango() {
@@ -93,13 +92,8 @@ bool has_fonts(std::string_view text) {
 
 }  // namespace
 
-std::string pango_version() {
-  try {
-    return pango().pango_version_string();
-  } catch (const std::runtime_error&) {
-    return "not there";
-  }
-}
+std::string_view cairo_version() { return CAIRO_VERSION_STRING; }
+std::string_view pango_version() { return PANGO_VERSION_STRING; }
 
 std::optional<char32_t> character_without_font(std::string_view text) {
   const std::lock_guard lock(one_at_a_time());
@@ -114,14 +108,14 @@ std::optional<char32_t> character_without_font(std::string_view text) {
 void show_in_any_script(cairo_t* context, std::string_view text, double size, dvec2 at, double width) {
   const std::lock_guard lock(one_at_a_time());
   const Owned<PangoContext> setting(pango().pango_font_map_create_context(fonts()));
-  const FontOptions options(cairo_font_options_create());
-  cairo_get_font_options(context, options.get());
+  const FontOptions options(cairo().font_options_create());
+  cairo().get_font_options(context, options.get());
   pango().pango_cairo_context_set_font_options(setting.get(), options.get());
   pango().pango_cairo_update_context(context, setting.get());
   const Owned<PangoLayout> layout = line_of(setting.get(), text, size);
   pango().pango_layout_set_width(layout.get(), static_cast<int>(std::floor(width * PANGO_SCALE)));
   pango().pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
-  cairo_move_to(context, at.x, at.y);
+  cairo().move_to(context, at.x, at.y);
   // The line itself, which begins at the left in either direction
   pango().pango_cairo_show_layout_line(context, pango().pango_layout_get_line_readonly(layout.get(), 0));
 }

@@ -1,7 +1,5 @@
 #include "cairo/cairo_output.hpp"
 
-#include <cairo-pdf.h>
-#include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,8 +49,8 @@ class Painter {
   void paint(const Sheet& sheet) {
     if (!transparent_) {
       use(Paint::of(Tone::paper));
-      cairo_rectangle(context_, 0, 0, sheet.width, sheet.height);
-      cairo_fill(context_);
+      cairo().rectangle(context_, 0, 0, sheet.width, sheet.height);
+      cairo().fill(context_);
     }
     unit_ = sheet.unit;
     for (const Shape& shape : sheet.shapes) {
@@ -73,38 +71,38 @@ class Painter {
   void draw_faded(const Shape& shape) {
     const Box box = extents_of(shape);
     const double air = 12 * unit_;  // arrow heads and halos reach beyond
-    cairo_save(context_);
-    cairo_rectangle(context_, box.x - air, box.y - air, box.width + 2 * air, box.height + 2 * air);
-    cairo_clip(context_);
-    cairo_push_group(context_);
+    cairo().save(context_);
+    cairo().rectangle(context_, box.x - air, box.y - air, box.width + 2 * air, box.height + 2 * air);
+    cairo().clip(context_);
+    cairo().push_group(context_);
     draw_whole(shape);
-    cairo_pop_group_to_source(context_);
-    cairo_paint_with_alpha(context_, shape.opacity);
-    cairo_restore(context_);
+    cairo().pop_group_to_source(context_);
+    cairo().paint_with_alpha(context_, shape.opacity);
+    cairo().restore(context_);
   }
 
   void use(Paint paint) {
     const Rgb color = color_of(paint, theme_);
-    cairo_set_source_rgb(context_, color.red(), color.green(), color.blue());
+    cairo().set_source_rgb(context_, color.red(), color.green(), color.blue());
   }
 
   void stroke(double width, bool dashed) {
     const auto [on, off] = dashes(width);
     const double dash[] = {on, off};
-    cairo_set_line_width(context_, width);
-    cairo_set_dash(context_, dash, dashed ? 2 : 0, 0);
-    cairo_stroke(context_);
+    cairo().set_line_width(context_, width);
+    cairo().set_dash(context_, dash, dashed ? 2 : 0, 0);
+    cairo().stroke(context_);
   }
 
   void rectangle(const Box& b, double radius) {
-    if (radius == 0) return cairo_rectangle(context_, b.x, b.y, b.width, b.height);
+    if (radius == 0) return cairo().rectangle(context_, b.x, b.y, b.width, b.height);
     const double quarter = std::numbers::pi / 2;
-    cairo_new_sub_path(context_);
-    cairo_arc(context_, b.right() - radius, b.y + radius, radius, -quarter, 0);
-    cairo_arc(context_, b.right() - radius, b.bottom() - radius, radius, 0, quarter);
-    cairo_arc(context_, b.x + radius, b.bottom() - radius, radius, quarter, 2 * quarter);
-    cairo_arc(context_, b.x + radius, b.y + radius, radius, 2 * quarter, 3 * quarter);
-    cairo_close_path(context_);
+    cairo().new_sub_path(context_);
+    cairo().arc(context_, b.right() - radius, b.y + radius, radius, -quarter, 0);
+    cairo().arc(context_, b.right() - radius, b.bottom() - radius, radius, 0, quarter);
+    cairo().arc(context_, b.x + radius, b.bottom() - radius, radius, quarter, 2 * quarter);
+    cairo().arc(context_, b.x + radius, b.y + radius, radius, 2 * quarter, 3 * quarter);
+    cairo().close_path(context_);
   }
 
   void draw(const RectShape& plain) {
@@ -112,7 +110,7 @@ class Painter {
     if (rect.fill.part != Paint::Part::none) {
       use(rect.fill);
       rectangle(rect.box, rect.radius);
-      cairo_fill(context_);
+      cairo().fill(context_);
     }
     hatch(rect);
     if (rect.stroke.part != Paint::Part::none && rect.stroke_width > 0) {
@@ -133,60 +131,60 @@ class Painter {
   void draw(const AreaShape& plain) {
     const AreaShape area = shown_in(theme_, plain);
     use(area.fill);
-    cairo_new_path(context_);  // text leaves a current point behind
+    cairo().new_path(context_);  // text leaves a current point behind
     for (const auto& ring : area.rings) {
-      cairo_new_sub_path(context_);
-      for (const dvec2& p : ring) cairo_line_to(context_, p.x, p.y);
-      cairo_close_path(context_);
+      cairo().new_sub_path(context_);
+      for (const dvec2& p : ring) cairo().line_to(context_, p.x, p.y);
+      cairo().close_path(context_);
     }
-    cairo_set_fill_rule(context_, CAIRO_FILL_RULE_EVEN_ODD);
-    cairo_fill(context_);
-    cairo_set_fill_rule(context_, CAIRO_FILL_RULE_WINDING);
+    cairo().set_fill_rule(context_, CAIRO_FILL_RULE_EVEN_ODD);
+    cairo().fill(context_);
+    cairo().set_fill_rule(context_, CAIRO_FILL_RULE_WINDING);
     hatch(area);
   }
 
   void trace(const std::vector<Segment<2, double>>& segments) {
     for (const auto& [from, to] : segments) {
-      cairo_move_to(context_, from.x, from.y);
-      cairo_line_to(context_, to.x, to.y);
+      cairo().move_to(context_, from.x, from.y);
+      cairo().line_to(context_, to.x, to.y);
     }
   }
 
   void draw(const LineShape& line) {
     if (line.points.size() < 2) return;
     use(line.stroke);
-    cairo_move_to(context_, line.points[0].x, line.points[0].y);
+    cairo().move_to(context_, line.points[0].x, line.points[0].y);
     for (std::size_t i = 1; i < line.points.size(); ++i)
-      cairo_line_to(context_, line.points[i].x, line.points[i].y);
-    if (line.closed) cairo_close_path(context_);
+      cairo().line_to(context_, line.points[i].x, line.points[i].y);
+    if (line.closed) cairo().close_path(context_);
     stroke(line.width, line.dashed);
     const auto head = arrow_head(line, unit_);
     if (!head) return;
-    for (const dvec2& p : {head->tip, head->left, head->right}) cairo_line_to(context_, p.x, p.y);
-    cairo_close_path(context_);
-    cairo_fill(context_);
+    for (const dvec2& p : {head->tip, head->left, head->right}) cairo().line_to(context_, p.x, p.y);
+    cairo().close_path(context_);
+    cairo().fill(context_);
   }
 
   void draw(const StrokesShape& strokes) {
     use(strokes.stroke);
     trace(strokes.segments);
-    cairo_set_line_cap(context_, strokes.round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+    cairo().set_line_cap(context_, strokes.round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
     stroke(strokes.width, false);
-    cairo_set_line_cap(context_, CAIRO_LINE_CAP_BUTT);
+    cairo().set_line_cap(context_, CAIRO_LINE_CAP_BUTT);
   }
 
   void draw(const DiscShape& disc) {
-    cairo_new_sub_path(context_);
-    cairo_arc(context_, disc.centre.x, disc.centre.y, disc.radius, 0, 2 * std::numbers::pi);
+    cairo().new_sub_path(context_);
+    cairo().arc(context_, disc.centre.x, disc.centre.y, disc.radius, 0, 2 * std::numbers::pi);
     if (disc.fill.part != Paint::Part::none) {
       use(disc.fill);
-      cairo_fill_preserve(context_);
+      cairo().fill_preserve(context_);
     }
     if (disc.stroke.part != Paint::Part::none && disc.stroke_width > 0) {
       use(disc.stroke);
       stroke(disc.stroke_width, false);
     }
-    cairo_new_path(context_);
+    cairo().new_path(context_);
   }
 
   void draw(const TextShape& text) {
@@ -199,9 +197,9 @@ class Painter {
       for (const TextPiece& piece : pieces_of(text))
         trace_text(context_, piece.text, piece.face, text.size, at + dvec2{piece.x, 0});
       use(text.ground);
-      cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
+      cairo().set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
       stroke(halo_width(text), false);
-      cairo_set_line_join(context_, CAIRO_LINE_JOIN_MITER);
+      cairo().set_line_join(context_, CAIRO_LINE_JOIN_MITER);
     }
     if (text.is_rim()) return;
     for (const TextPiece& piece : pieces_of(text)) {
@@ -218,24 +216,24 @@ class Painter {
     if (shape.image.width() == 0 || shape.image.height() == 0) return;
     const Image image = pixels_of(shape, theme_);
     // Without transparency a PDF needs no second image for the mask
-    const Surface pixels(cairo_image_surface_create(
+    const Surface pixels(cairo().image_surface_create(
         is_opaque(image) ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, image.width(), image.height()));
-    check(cairo_surface_status(pixels.get()));
-    unsigned char* data = cairo_image_surface_get_data(pixels.get());
-    const int stride = cairo_image_surface_get_stride(pixels.get());
+    check(cairo().surface_status(pixels.get()));
+    unsigned char* data = cairo().image_surface_get_data(pixels.get());
+    const int stride = cairo().image_surface_get_stride(pixels.get());
     for (int y = 0; y < image.height(); ++y) {
       auto* row = reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
       std::ranges::transform(image.row(y), row, premultiplied);
     }
-    cairo_surface_mark_dirty(pixels.get());
-    cairo_save(context_);
-    cairo_translate(context_, shape.box.x, shape.box.y);
-    cairo_scale(context_, shape.box.width / shape.image.width(), shape.box.height / shape.image.height());
-    cairo_set_source_surface(context_, pixels.get(), 0, 0);
-    cairo_pattern_set_filter(cairo_get_source(context_), CAIRO_FILTER_NEAREST);
-    cairo_rectangle(context_, 0, 0, shape.image.width(), shape.image.height());
-    cairo_fill(context_);
-    cairo_restore(context_);
+    cairo().surface_mark_dirty(pixels.get());
+    cairo().save(context_);
+    cairo().translate(context_, shape.box.x, shape.box.y);
+    cairo().scale(context_, shape.box.width / shape.image.width(), shape.box.height / shape.image.height());
+    cairo().set_source_surface(context_, pixels.get(), 0, 0);
+    cairo().pattern_set_filter(cairo().get_source(context_), CAIRO_FILTER_NEAREST);
+    cairo().rectangle(context_, 0, 0, shape.image.width(), shape.image.height());
+    cairo().fill(context_);
+    cairo().restore(context_);
   }
 
   cairo_t* context_;
@@ -257,15 +255,15 @@ Surface painted(const Sheet& sheet, const Finish& finish) {
     throw std::runtime_error(fmt::format("a picture has sides of 1 to {} pixels, not {:.0f} x {:.0f}",
                                          longest_side, width, height));
   }
-  Surface surface(cairo_image_surface_create(finish.transparent ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24,
-                                             static_cast<int>(width), static_cast<int>(height)));
-  check(cairo_surface_status(surface.get()));
-  const Context context(cairo_create(surface.get()));
+  Surface surface(cairo().image_surface_create(finish.transparent ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24,
+                                               static_cast<int>(width), static_cast<int>(height)));
+  check(cairo().surface_status(surface.get()));
+  const Context context(cairo().create(surface.get()));
   // Not finish.scale: the sheet ends with the last pixel, whatever was rounded
-  cairo_scale(context.get(), width / sheet.width, height / sheet.height);
+  cairo().scale(context.get(), width / sheet.width, height / sheet.height);
   Painter(context.get(), finish).paint(sheet);
-  check(cairo_status(context.get()));
-  cairo_surface_flush(surface.get());
+  check(cairo().status(context.get()));
+  cairo().surface_flush(surface.get());
   return surface;
 }
 
@@ -274,9 +272,10 @@ Surface painted(const Sheet& sheet, const Finish& finish) {
 Image image_of(const Sheet& sheet, const Finish& finish) {
   check_fonts();
   const Surface surface = painted(sheet, finish);
-  const unsigned char* data = cairo_image_surface_get_data(surface.get());
-  const int stride = cairo_image_surface_get_stride(surface.get());
-  Image image(cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()));
+  const unsigned char* data = cairo().image_surface_get_data(surface.get());
+  const int stride = cairo().image_surface_get_stride(surface.get());
+  Image image(cairo().image_surface_get_width(surface.get()),
+              cairo().image_surface_get_height(surface.get()));
   // RGB24 leaves the alpha byte undefined
   const std::uint32_t opaque = finish.transparent ? 0 : 0xff000000u;
   for (int y = 0; y < image.height(); ++y) {
@@ -296,26 +295,26 @@ std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& p
                    const Colophon& colophon) {
   check_fonts();
   std::string text;
-  const Surface surface(cairo_pdf_surface_create_for_stream(append, &text, 1, 1));
+  const Surface surface(cairo().pdf_surface_create_for_stream(append, &text, 1, 1));
   set_pdf_metadata(surface.get(), colophon);
   for (std::size_t i = 0; i < pages; ++i) {
     const Sheet sheet = page(i);
     // A CSS pixel is 3/4 of a PDF point
-    cairo_pdf_surface_set_size(surface.get(), sheet.width * 0.75, sheet.height * 0.75);
-    check(cairo_surface_status(surface.get()));
-    const Context context(cairo_create(surface.get()));
-    cairo_scale(context.get(), 0.75, 0.75);
+    cairo().pdf_surface_set_size(surface.get(), sheet.width * 0.75, sheet.height * 0.75);
+    check(cairo().surface_status(surface.get()));
+    const Context context(cairo().create(surface.get()));
+    cairo().scale(context.get(), 0.75, 0.75);
     Painter(context.get(), finish).paint(sheet);
-    cairo_show_page(context.get());
-    check(cairo_status(context.get()));
+    cairo().show_page(context.get());
+    check(cairo().status(context.get()));
   }
   {
     // It makes fonts of its own, which two threads may not let go of at once (see set_font)
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
-    cairo_surface_finish(surface.get());
+    cairo().surface_finish(surface.get());
   }
-  check(cairo_surface_status(surface.get()));
+  check(cairo().surface_status(surface.get()));
   return text;
 }
 

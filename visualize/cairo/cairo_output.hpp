@@ -44,7 +44,9 @@ std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& p
 /// drawn.
 std::optional<char32_t> character_without_font(std::string_view text);
 
-/// The version of Pango, which draws such texts: "not there" where it isn't.
-std::string pango_version();
+/// The versions of Cairo and of Pango, which draws such texts, that this was compiled with: to ask them
+/// themselves would be to load them.
+std::string_view cairo_version();
+std::string_view pango_version();
 
 }  // namespace gradus

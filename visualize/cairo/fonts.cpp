@@ -1,8 +1,5 @@
 #include "cairo/fonts.hpp"
 
-#include <cairo-ft.h>
-#include <fontconfig/fontconfig.h>
-
 #include <array>
 #include <cmath>
 #include <map>
@@ -43,10 +40,10 @@ bool is_borrowed(char32_t c, Face face) {
 }
 
 FontOptions unhinted() {
-  FontOptions options(cairo_font_options_create());
-  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
-  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
-  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+  FontOptions options(cairo().font_options_create());
+  cairo().font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo().font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  cairo().font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
   return options;
 }
 
@@ -56,14 +53,14 @@ struct Font {
   ScaledFont scaled;
 
   explicit Font(const char* name) {
-    const FontPattern pattern(FcNameParse(reinterpret_cast<const FcChar8*>(name)));
-    face.reset(cairo_ft_font_face_create_for_pattern(pattern.get()));
-    check(cairo_font_face_status(face.get()));
+    const FontPattern pattern(cairo().FcNameParse(reinterpret_cast<const FcChar8*>(name)));
+    face.reset(cairo().ft_font_face_create_for_pattern(pattern.get()));
+    check(cairo().font_face_status(face.get()));
     cairo_matrix_t size, page;
-    cairo_matrix_init_scale(&size, units_per_em, units_per_em);
-    cairo_matrix_init_identity(&page);
-    scaled.reset(cairo_scaled_font_create(face.get(), &size, &page, unhinted().get()));
-    check(cairo_scaled_font_status(scaled.get()));
+    cairo().matrix_init_scale(&size, units_per_em, units_per_em);
+    cairo().matrix_init_identity(&page);
+    scaled.reset(cairo().scaled_font_create(face.get(), &size, &page, unhinted().get()));
+    check(cairo().scaled_font_status(scaled.get()));
   }
 
   /// 0 where the font lacks the letter.
@@ -72,17 +69,17 @@ struct Font {
     cairo_glyph_t one{};
     cairo_glyph_t* glyphs = &one;
     int count = 1;
-    check(cairo_scaled_font_text_to_glyphs(scaled.get(), 0, 0, text.c_str(), static_cast<int>(text.size()),
-                                           &glyphs, &count, nullptr, nullptr, nullptr));
+    check(cairo().scaled_font_text_to_glyphs(scaled.get(), 0, 0, text.c_str(), static_cast<int>(text.size()),
+                                             &glyphs, &count, nullptr, nullptr, nullptr));
     const unsigned long index = count > 0 ? glyphs[0].index : 0;
-    if (glyphs != &one) cairo_glyph_free(glyphs);
+    if (glyphs != &one) cairo().glyph_free(glyphs);
     return index;
   }
 
   double advance_of(unsigned long glyph) const {
     const cairo_glyph_t glyphs{glyph, 0, 0};
     cairo_text_extents_t extents;
-    cairo_scaled_font_glyph_extents(scaled.get(), &glyphs, 1, &extents);
+    cairo().scaled_font_glyph_extents(scaled.get(), &glyphs, 1, &extents);
     return extents.x_advance;
   }
 };
@@ -243,31 +240,31 @@ OutlinePiece piece_of(const cairo_path_data_t* data) {
 void set_font(cairo_t* context, const Font& font, double size) {
   static std::mutex mutex;
   static std::map<cairo_scaled_font_t*, ScaledFont> kept;
-  cairo_set_font_face(context, font.face.get());
-  cairo_set_font_size(context, size);
-  cairo_scaled_font_t* const scaled = cairo_get_scaled_font(context);
+  cairo().set_font_face(context, font.face.get());
+  cairo().set_font_size(context, size);
+  cairo_scaled_font_t* const scaled = cairo().get_scaled_font(context);
   const std::lock_guard lock(mutex);
   const auto [at, is_new] = kept.try_emplace(scaled);
-  if (is_new) at->second.reset(cairo_scaled_font_reference(scaled));
+  if (is_new) at->second.reset(cairo().scaled_font_reference(scaled));
 }
 
 }  // namespace
 
-void set_font_options(cairo_t* context) { cairo_set_font_options(context, unhinted().get()); }
+void set_font_options(cairo_t* context) { cairo().set_font_options(context, unhinted().get()); }
 
 void show_text(cairo_t* context, std::string_view text, Face face, double size, dvec2 at) {
   for (const Run& run : runs_of(text, face, size, at)) {
     set_font(context, *run.font, size);
-    cairo_show_text_glyphs(context, run.text.c_str(), static_cast<int>(run.text.size()), run.glyphs.data(),
-                           static_cast<int>(run.glyphs.size()), run.clusters.data(),
-                           static_cast<int>(run.clusters.size()), cairo_text_cluster_flags_t{});
+    cairo().show_text_glyphs(context, run.text.c_str(), static_cast<int>(run.text.size()), run.glyphs.data(),
+                             static_cast<int>(run.glyphs.size()), run.clusters.data(),
+                             static_cast<int>(run.clusters.size()), cairo_text_cluster_flags_t{});
   }
 }
 
 void trace_text(cairo_t* context, std::string_view text, Face face, double size, dvec2 at) {
   for (const Run& run : runs_of(text, face, size, at)) {
     set_font(context, *run.font, size);
-    cairo_glyph_path(context, run.glyphs.data(), static_cast<int>(run.glyphs.size()));
+    cairo().glyph_path(context, run.glyphs.data(), static_cast<int>(run.glyphs.size()));
   }
 }
 
@@ -293,12 +290,12 @@ void check_fonts() {
 }
 
 std::vector<OutlinePiece> outline_pieces(char32_t character, Face face) {
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
-  const Context context(cairo_create(surface.get()));
+  const Surface surface(cairo().image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+  const Context context(cairo().create(surface.get()));
   set_font_options(context.get());
   trace_text(context.get(), utf8_of({&character, 1}), face, units_per_em, {0, 0});
-  check(cairo_status(context.get()));
-  const CairoPath path(cairo_copy_path(context.get()));
+  check(cairo().status(context.get()));
+  const CairoPath path(cairo().copy_path(context.get()));
   check(path->status);
   std::vector<OutlinePiece> pieces;
   for (int i = 0; i < path->num_data; i += path->data[i].header.length) {

@@ -32,4 +32,6 @@ class LibraryOnDemand {
 
 /// A member, beside the LibraryOnDemand `library`: the function of this name, with the type that its header
 /// says.
-#define GRADUS_ON_DEMAND(name) decltype(&::name) name = library.find<decltype(&::name)>(#name)
+#define GRADUS_ON_DEMAND(name) GRADUS_ON_DEMAND_AS(name, name)
+/// The same under a name of its own.
+#define GRADUS_ON_DEMAND_AS(own, name) decltype(&::name) own = library.find<decltype(&::name)>(#name)

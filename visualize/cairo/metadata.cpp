@@ -1,6 +1,5 @@
 #include "cairo/metadata.hpp"
 
-#include <cairo-pdf.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <map>
 #include <span>
 
+#include "cairo/cairo_library.hpp"
 #include "cairo/colophon_markup.hpp"
 #include "core/shown.hpp"
 #include "figure/text/markup.hpp"
@@ -172,13 +172,13 @@ void set_pdf_metadata(cairo_surface_t* surface, const Colophon& colophon) {
   const std::string keywords =
       fmt::format("{}[{}] {}[{}] licence[{}]", command_key, percent_encoded(colophon.command), hash_key,
                   percent_encoded(colophon.input_hash), figure_licence);
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, colophon.title.c_str());
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_SUBJECT, colophon.description.c_str());
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_KEYWORDS, keywords.c_str());
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR,
-                                 fmt::format("gradus {}", release_version).c_str());
+  cairo().pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, colophon.title.c_str());
+  cairo().pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_SUBJECT, colophon.description.c_str());
+  cairo().pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_KEYWORDS, keywords.c_str());
+  cairo().pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR,
+                                   fmt::format("gradus {}", release_version).c_str());
   // Fixed: the same figure is the same bytes on every day
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+  cairo().pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
 }
 
 std::optional<Colophon> colophon_in(std::string_view bytes) {

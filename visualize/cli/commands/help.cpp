@@ -256,7 +256,7 @@ std::string help_on(const std::string& word, bool color) {
   }
 }
 
-/// The version of a shared library, as it was loaded.
+/// The version of a shared library that is always loaded, as it says.
 template <class... Nothing>
 std::string loaded_version(const char* function, Nothing... nothing) {
   void* found = dlsym(RTLD_DEFAULT, function);
@@ -286,13 +286,12 @@ int version() {
   constexpr std::string_view compiler = "compiled by GCC";
 #endif
   // Asked of the libraries themselves, whose headers belong to other folders
-  const std::string cairo = loaded_version("cairo_version_string"), pango = pango_version(),
-                    zlib = loaded_version("zlibVersion");
-  const std::string png = loaded_version<const void*>("png_get_libpng_ver", nullptr);
+  const std::string zlib = loaded_version("zlibVersion"),
+                    png = loaded_version<const void*>("png_get_libpng_ver", nullptr);
   write_stream(Stream::out,
                fmt::format("gradus {}\ncairo {}, pango {}, libpng {}, zlib {}, fmt {}.{}.{}, GLM "
                            "{}.{}.{}.{}, CLI11 {}; {} {}\n",
-                           release_version, cairo, pango, png, zlib, FMT_VERSION / 10000,
+                           release_version, cairo_version(), pango_version(), png, zlib, FMT_VERSION / 10000,
                            FMT_VERSION / 100 % 100, FMT_VERSION % 100, GLM_VERSION_MAJOR, GLM_VERSION_MINOR,
                            GLM_VERSION_PATCH, GLM_VERSION_REVISION, cli11_version(), compiler, __VERSION__));
   return 0;
