@@ -9,11 +9,17 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import project
+import share
 
 OTHERS = ("PNG", "ZLIB", "Boost", "hwy", "TBB", "PkgConfig", "CLI11", "nlohmann_json", "Threads", "GTest", "benchmark", "Python3")
 
 
 class MinimalBuild(unittest.TestCase):
+    @staticmethod
+    def is_built(topic):
+        """Whether more than headers belongs to it."""
+        return any("hwy/" not in path.read_text(encoding="utf-8") for path in (project.ROOT / "algorithms").glob(f"*/{topic}/{topic}_batch.cpp"))
+
     def test_topics_build_with_glm_and_fmt_only(self):
         with tempfile.TemporaryDirectory() as folder:
             environment = dict(os.environ, PKG_CONFIG="/bin/false", PKG_CONFIG_LIBDIR="/nowhere")
@@ -25,7 +31,10 @@ class MinimalBuild(unittest.TestCase):
             # CMake's own entries apart, these are the packages somebody has looked for
             packages = {p for p in packages if not p.startswith(("CMAKE_", "gradus_"))}
             self.assertEqual(packages, {"glm", "fmt"})
-            project.run("cmake", "--build", folder)
+            # The module of live pages builds the pipeline without those packages in each run
+            topics = sorted({topic.name for topic in project.topics()})
+            some = [] if share.in_share(0, 3) else ["--target", "gradus_core", *(f"gradus_{name}" for name in topics if self.is_built(name))]
+            project.run("cmake", "--build", folder, *some)
             # Headers of core and of the topics have their checks here, too, which the whole build runs
             checked = {f.name for f in pathlib.Path(folder, "headers_alone").glob("*.cpp")}
             for topic in project.topics():

@@ -166,7 +166,7 @@ def every_topic(check, page):
     """All of them open, have their fields, and something to drag, to paint or to type; each drag leads to another run."""
     page.open()
     bent = {}
-    for topic in share_of(page.run('return workbench.topics.map(({name}) => name)'), 5):
+    for topic in share_of(page.run('return workbench.topics.map(({name}) => name)'), 7):
         page.choose(topic=topic)
         check.equal(f'{topic}: nothing is refused', page.refusal(), '')
         fields, questions = page.run('return [workbench.form.fields.size, questionsOf(player.run).size]')

@@ -251,7 +251,7 @@ def main():
             test.is_the_players(topic, pathlib.Path(folder))
         others = [json.dumps({'want': want, **request}) for request in OF_FILES + REFUSED for want in ('run', 'trace')]
         print(f'{len(others)} requests of files and mistakes, {test.same(others)} refused')
-        for topic in share_of(topics, 5):
+        for topic in share_of(topics, 7):
             start = time.perf_counter()
             drawn = subprocess.run([options.answers, '--draw', str(options.count), seed, topic], stdout=subprocess.PIPE,
                                    encoding='utf-8', check=True).stdout.splitlines()

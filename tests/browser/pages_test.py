@@ -252,7 +252,7 @@ def main():
         lecture(check, browser, pathlib.Path(sys.argv[2]).resolve())
         pages = sorted(folder.glob('topics/*/*.html'))
         check.that('topic pages', len(pages) > 1, pages)
-        for path in share_of(pages, 6):
+        for path in share_of(pages, 9):
             topic_page(check, browser, path)
         errata(check, browser, folder / 'errata.html')
         picture(check, browser, pathlib.Path(sys.argv[3]).resolve())

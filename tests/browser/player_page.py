@@ -111,8 +111,9 @@ def any_page(check, browser, path):
     milestones = page.run('return player.run.milestones.map((i) => player.run.steps[i].number)')
     opened = page.run('return performance.getEntriesByName("gradus: open")[0].duration')
     print(f'{name}: {page.run("return player.run.steps.length")} steps open in {opened:.0f} ms', flush=True)
+    # A guard against hanging: how long it takes is printed, and the machine may be slow and busy
     many = page.run('return player.run.steps.length') / 10_000
-    check.that(f'{name}: 10,000 steps open in less than a second', opened < 1000 * max(many, 1), opened)
+    check.that(f'{name}: 10,000 steps open in less than ten seconds', opened < 10_000 * max(many, 1), opened)
     check.equal(f'{name}: opens at its first step', page.step, milestones[0])
     check.equal(f'{name}: opens paused', page.run('return player.playing'), False)
     check.that(f'{name}: the first step says something', page.run('return player.state().sentence') != '')
@@ -202,4 +203,4 @@ def one_a_topic(pages):
             players.setdefault(topic[1], page)
         else:
             (about if 'topics' in page.parts else others).append(page)
-    return others + share_of(about, 6) + share_of(players.values(), 6)
+    return others + share_of(about, 9) + share_of(players.values(), 9)
