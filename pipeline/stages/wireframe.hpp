@@ -55,7 +55,7 @@ inline std::vector<FaceEdge> face_edges(const std::vector<Piece>& pieces) {
   return list;
 }
 
-/// The part of an edge inside of all planes, as Liang and Barsky clip: the stretch of t that is left.
+/// The part of an edge inside all planes, as Liang and Barsky clip: the stretch of t that is left.
 inline std::optional<Segment<4, double>> part_inside(
     glm::dvec4 a, glm::dvec4 b, std::span<const sutherland_hodgman::Plane<double>> planes) {
   double enters = 0, leaves = 1;

@@ -29,6 +29,7 @@ ENGLISH = {
     r"\bha(?:s|ve) none\b(?! but\b)": "lacks it, or is without it",
     r"\bnone of (?:this|that|its) (?:name|key)\b": "lacks it",
     r"\boutside of\b": "outside",
+    r"(?<![Tt]he )\binside of\b": "inside",
     r"\bnot, too\b": "say what is so then",
     r"\b[Oo]bserver nobody is\b": "the default observer",
     r"\bwhatever (?:it|they|that|this) (?:is|are|was|were|holds?|says?|begins?)\b": "any, or regardless of",
@@ -152,16 +153,17 @@ class WhatIsSeen(unittest.TestCase):
     """The forms that stood here once."""
 
     def test_english(self):
-        for text in ("Sample 3 lies outside of A; so it shows what it showed.", "all of them, for whoever chooses one",
-                     "a face with corners that have none", "Throws for steps that there are not",
+        for text in ("Sample 3 lies outside of A; so it shows what it showed.", "what lies inside of it",
+                     "all of them, for whoever chooses one", "a face with corners that have none", "Throws for steps that there are not",
                      "Whether a flag was given; not, too, where the topic has none of this name.",
                      "The observer nobody is: every algorithm's default.", "an error, whatever it is, ends it",
                      "{n} samples a pixel", "light once a face", "100 a pixel", "{} a vertex", "16 bytes a vertex, 60 a piece",
                      "about 0.3 us a corner", "within 9/4 ulp a component", "a colour a covered sample", "n times a revolution"):
             self.assertTrue(offenders(text, ENGLISH), text)
         for text in ("The first has passed, and so did the other; so did a third.", "It has none but plain locals.",
-                     "whatever the order of the faces", "Each lies outside its box.", "{n} samples per pixel", "half of a pixel",
-                     "how many samples a pixel has", "M times a vertex", "0 a pixel away", "25 frames a second", "one a step on",
+                     "whatever the order of the faces", "Each lies outside its box.", "the inside of a room",
+                     "{n} samples per pixel", "half of a pixel", "how many samples a pixel has",
+                     "M times a vertex", "0 a pixel away", "25 frames a second", "one a step on",
                      "light that a fragment gets", "a plane cuts an edge", "at 32 a line's start"):
             self.assertFalse(offenders(text, ENGLISH), text)
 

@@ -59,7 +59,7 @@ def test_stretching_grows_with_the_angle_of_view():
         for angle in (0, aside):
             (wide, high), (found_wide, found_high) = shape(angle, focal), found_shape(shown, angle, focal)
             print(f"fov {fov}, {angle} degrees aside: {wide:.1f} x {high:.1f}, found {found_wide} x {found_high}")
-            # Partly covered pixels count whole; 32 corners lie up to 1% inside of a circle
+            # Partly covered pixels count whole; 32 corners lie up to 1% inside a circle
             check(-0.01 * wide - 0.5 <= found_wide - wide <= 2 and -0.01 * high - 0.5 <= found_high - high <= 2, f"{name}: {angle}")
         found = f"| {fov}° | {aside}° aside | {wide / high:.2f} | {found_wide} : {found_high} pixels |"
         equal(found, TOLD[fov], "the table of the page")

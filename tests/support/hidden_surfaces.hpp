@@ -247,7 +247,7 @@ inline Polygons painter_order(const Polygons& scene, const Camera& camera) {
 // --- The referee
 
 /// A face along the rays of the picture: how near it is, greater is nearer, and how far a place lies inside
-/// of it. Both are linear; they are the face's own plane met by a ray in space, not a depth of corners
+/// it. Both are linear; they are the face's own plane met by a ray in space, not a depth of corners
 /// between them.
 class Sighted {
  public:

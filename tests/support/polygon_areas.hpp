@@ -75,7 +75,7 @@ inline Fraction area_in_rectangle(const std::vector<glm::dvec2>& ring, glm::dvec
   return area;
 }
 
-/// The part of a triangle inside of a half-plane, in fractions.
+/// The part of a triangle inside a half-plane, in fractions.
 inline std::vector<ExactPoint> half(const std::vector<ExactPoint>& convex, const ExactPoint& a,
                                     const ExactPoint& b) {
   std::vector<ExactPoint> kept;

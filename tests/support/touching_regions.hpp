@@ -121,7 +121,7 @@ struct TriangleRegion {
   /// How many triangles there are, each of area 1/2.
   int count() const { return static_cast<int>(std::count(there.begin(), there.end(), true)); }
 
-  /// Whether the triangle with this point is there. Sixths of the grid, inside of a triangle.
+  /// Whether the triangle with this point is there. Sixths of the grid, inside a triangle.
   bool at(glm::ivec2 sixth) const {
     const auto square = static_cast<std::size_t>(sixth.y / 6 * all.side() + sixth.x / 6);
     const glm::ivec2 inside{sixth.x % 6, sixth.y % 6};

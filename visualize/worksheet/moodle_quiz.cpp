@@ -49,7 +49,7 @@ std::string html_of(std::string_view text) {
   return replaced_all(replaced_all(markup_escaped(text), "{", "&#123;"), "}", "&#125;");
 }
 
-/// An answer inside of a field. Signs that end it get a backslash; a star would stand for anything.
+/// An answer inside a field. Signs that end it get a backslash; a star would stand for anything.
 std::string field_escaped(std::string_view answer) {
   std::string out;
   for (const char c : markup_escaped(answer)) {

@@ -82,7 +82,7 @@ template <Observer<HalfPlane> O = Unobserved>
 constexpr Mask mask_of(const Edges& edges, ivec2 p, O&& observer = {}) {
   Mask mask = full;
   for (const Edge& edge : edges) {
-    // Keep what lies inside of it
+    // Keep what lies inside it
     auto in = half_plane(edge, p);
     mask &= in;
     if constexpr (observed<O>) observer(HalfPlane{edge, in, mask});

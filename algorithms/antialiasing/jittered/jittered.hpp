@@ -245,7 +245,7 @@ constexpr void n_rooks(std::span<dvec2> samples, Random random, O&& observer = {
 }
 
 /// One sample in each cell of a coarse grid, and yet one in each column and each row of the fine one: inside
-/// of the cells of one column the samples stand in the order of one shuffle, which all columns share.
+/// the cells of one column the samples stand in the order of one shuffle, which all columns share.
 /// Source: A. Kensler, "Correlated multi-jittered sampling", Pixar Technical Memo 13-01, 2013, listing 5,
 ///   with his hashed permutation; in place of its hashed numbers those of the house.
 ///

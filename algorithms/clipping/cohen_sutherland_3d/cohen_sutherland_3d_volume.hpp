@@ -24,7 +24,7 @@ struct ViewVolume {};
 
 // --- Faces -----------------------------------------------------------------------------------------------
 
-/// How far inside of a face a point lies, as two numbers not added yet: w + x, w - x, w + y, w - y, z + 0,
+/// How far inside a face a point lies, as two numbers not added yet: w + x, w - x, w + y, w - y, z + 0,
 /// w - z.
 template <class T>
 struct Depth {

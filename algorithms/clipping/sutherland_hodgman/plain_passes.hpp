@@ -18,7 +18,7 @@ struct PlainBorder {
 
   /// 1 inside, 0 on the border, -1 outside.
   int side(const Vertex<T>& v) const { return side_of_border(window, number, v.at); }
-  /// Whether a vertex lies inside of all borders.
+  /// Whether a vertex lies inside all borders.
   bool in_all(const Vertex<T>& v) const {
     for (int i = 0; i < 4; ++i) {
       if (side_of_border(window, i, v.at) < 0) return false;

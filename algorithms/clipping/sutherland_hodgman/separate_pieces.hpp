@@ -122,7 +122,7 @@ class BorderCut {
   }
 
   /// Puts the crossings in order along the border. Two at one point are in the order that they have a little
-  /// inside of it: the edge that leans back comes first.
+  /// inside it: the edge that leans back comes first.
   void order() {
     const auto before = [this](const auto& a, const auto& b) { return comes_before(a, b); };
     std::sort(crossings_.begin(), crossings_.end(), before);

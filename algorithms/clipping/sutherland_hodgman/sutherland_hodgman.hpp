@@ -116,7 +116,7 @@ VertexTested<T> tested(const ExactBorder<T, Window>& border, std::span<const Ver
   return {border.number, number_in(polygon, now), now, is, last, was};
 }
 
-/// The part of a polygon that lies inside of one border.
+/// The part of a polygon that lies inside one border.
 /// I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM 17(1), 1974, 32-42.
 ///
 /// polygon: the vertices in order, not empty. border: its own points are inside. kept: what stays; what stood

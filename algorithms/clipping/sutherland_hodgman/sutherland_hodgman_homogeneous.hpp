@@ -26,7 +26,7 @@ struct Plane {
   T bound;   ///< the limit in units of w
 };
 
-/// How far inside of the plane a point lies; its sign is that of the exact comparison of the coordinate with
+/// How far inside the plane a point lies; its sign is that of the exact comparison of the coordinate with
 /// the rounded bound * w.
 template <class T>
 constexpr T distance(const Plane<T>& plane, const glm::vec<4, T>& p) {
@@ -108,7 +108,7 @@ constexpr Point<T> mix(const Point<T>& a, const Point<T>& b, T t) {
   return {a.at + t * (b.at - a.at)};
 }
 
-/// The part of a polygon that lies inside of a plane.
+/// The part of a polygon that lies inside a plane.
 /// I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM 17(1), 1974, 32-42.
 ///
 /// polygon: the corners in order. Vertex: see cut. plane: the border itself is inside.
@@ -147,7 +147,7 @@ std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane,
   return kept;
 }
 
-/// The part of a polygon that lies inside of all planes, cut at one after the other.
+/// The part of a polygon that lies inside all planes, cut at one after the other.
 ///
 /// polygon: the corners in order; the parts of a convex one are convex. planes: in the order of cutting.
 ///

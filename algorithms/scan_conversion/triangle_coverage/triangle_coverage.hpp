@@ -215,7 +215,7 @@ constexpr void cover(const Triangle& t, const Window& window, Plot&& plot, O&& o
     const ivec2 p{box.lower.x, y};
     auto e = weights_at(edges, p);
     for (int x : columns(box)) {
-      // On the inside of all three?
+      // Inside all three?
       bool in = holds(edges, e);
       if constexpr (observed<O>) observer(Tested{{x, y}, e, in});
       if (in) plot(ivec2{x, y}, e);

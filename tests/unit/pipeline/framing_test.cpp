@@ -78,7 +78,7 @@ TEST(Framing, SpecialCases) {
   // Straight from above: -z is up
   const Camera above = framed(box, 1, {0, 1, 0});
   EXPECT_NEAR(glm::distance(above.frame.up, dvec3{0, 0, -1}), 0, 1e-15);
-  // Somebody else's camera inside of the box
+  // Somebody else's camera inside the box
   Camera inside;
   inside.frame.eye = {5.5, 6.5, 7.5};
   const Lens lens = with_depths(inside, box).lens;

@@ -75,7 +75,7 @@ class DrawingLayout {
   Image picture_of_view() const {
     return {static_cast<int>(frame_.view.width()), static_cast<int>(frame_.view.height()), Rgba8{}};
   }
-  /// All cells of the view; more than what is shown where a paper is cut inside of a cell.
+  /// All cells of the view; more than what is shown where a paper is cut inside a cell.
   Box cells_box() const {
     const Box a = frame_.square(frame_.view.lower), b = frame_.square(frame_.view.upper);
     return around(a, b);

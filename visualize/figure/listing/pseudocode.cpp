@@ -113,7 +113,7 @@ void count_after_assignment(Lexemes& tokens) {
   tokens.insert(tokens.end(), counting.begin(), counting.end());
 }
 
-/// ++x: x = x + 1; inside of something else in brackets.
+/// ++x: x = x + 1; inside something else in brackets.
 void spell_out_counting(Lexemes& tokens) {
   for (At i = 0; i < std::ssize(tokens); ++i) {
     if (!is_one_of(tokens[i], {"++", "--"})) continue;

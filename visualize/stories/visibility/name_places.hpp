@@ -19,7 +19,7 @@ inline double doubled_area_of(const Ring2& ring) {
   return area;
 }
 
-/// How far a place inside of a convex ring is from its outline; below 0 outside.
+/// How far a place inside a convex ring is from its outline; below 0 outside.
 inline double depth_inside(const Ring2& ring, dvec2 place) {
   const double turn = std::copysign(1.0, doubled_area_of(ring));
   double least = std::numeric_limits<double>::infinity();

@@ -48,7 +48,7 @@ class StillDrawing {
         'image',
         {...this.cellsBox(), href: small.toDataURL(), preserveAspectRatio: 'none', style: 'image-rendering: pixelated'});
   }
-  /** All cells of the view; more than what is shown where a paper is cut inside of a cell. */
+  /** All cells of the view; more than what is shown where a paper is cut inside a cell. */
   cellsBox() {
     const {view, cell, yUp} = this.at, first = this.square([view.x0, yUp ? view.y1 : view.y0]);
     return {...first, width: (view.x1 - view.x0 + 1) * cell, height: (view.y1 - view.y0 + 1) * cell};
