@@ -434,7 +434,6 @@ std::string trace_json(const Trace& trace, const std::set<Slot>& slots) {
   out.member("telling", text_of(trace.telling));
   out.list("steps", trace.steps, [&slots](const TraceStep& step) { return step_json(step, slots); });
   if (shows(Slot::table)) out.member("result", fields_json(trace.result));
-  if (shows(Slot::drawing)) out.member("pixels", points_json(trace.pixels));
   return std::move(out).finish();
 }
 

@@ -132,7 +132,7 @@ TEST(TraceJson, TellsStepsAsDeltas) {
 TEST(TraceJson, HasNothingOfASlotThatWasDropped) {
   const std::vector<std::pair<Slot, std::vector<std::string>>> members{
       {Slot::title, {"title", "subtitle", "method_title"}},
-      {Slot::drawing, {"roles", "legend", "grid", "backdrop", "pixels", "cells", "set", "removed", "focus"}},
+      {Slot::drawing, {"roles", "legend", "grid", "backdrop", "cells", "set", "removed", "focus"}},
       {Slot::listing, {"listing", "source_file", "line"}},
       {Slot::table, {"columns", "result", "fields", "read", "row"}},
       {Slot::sentence, {"goal", "sentence"}},
