@@ -231,6 +231,13 @@ class PictureRow {
   std::vector<Fragment<double>> fragments_;
 };
 
+/// Refuses what no grid of 1/256 pixel holds.
+inline void expect_near(std::span<const ScreenTriangle> triangles, const Window& window) {
+  for (const auto& t : triangles)
+    expects(near_enough(t.corners), "a corner of the triangle lies more than {} pixels out", farthest);
+  expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
+}
+
 /// What is seen in a pixel, area times colour: each fragment's colour is asked for once.
 template <class Colour>
 struct Mean {
@@ -275,9 +282,7 @@ template <class Colour, class Plot>
   requires std::invocable<Colour&, int, ivec2, const Weights&>
 void visible_areas(std::span<const ScreenTriangle> triangles, const Window& window, Colour&& colour,
                    Plot&& plot) {
-  for (const auto& t : triangles)
-    expects(near_enough(t.corners), "a corner of the triangle lies more than {} pixels out", farthest);
-  expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
+  expect_near(triangles, window);
   if (window.empty()) return;
   PictureRow row(triangles, window);
   const auto [lower, upper] = window;
