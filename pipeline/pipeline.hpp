@@ -21,6 +21,13 @@ namespace gradus::pipeline {
 /// The largest side of a picture, in pixels.
 inline constexpr int largest_side = 1 << 15;
 
+/// Refuses a picture without pixels, or with too many.
+inline void expect_size(Size size) {
+  const auto [width, height] = size;
+  expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
+          "a picture has 1 to {} pixels per side, not {} x {}", largest_side, width, height);
+}
+
 /// O can be told the steps of all eight stages.
 template <class O>
 concept ChainObserver = Observer<O, VertexRead, FaceRead, Placed, Turned, Projected, Faced, Clipped, Snapped,
@@ -38,18 +45,13 @@ concept ChainObserver = Observer<O, VertexRead, FaceRead, Placed, Turned, Projec
 /// Errors: ContractViolation for a size or a lens out of range.
 template <ChainObserver O = Unobserved>
 Image render(const Scene& scene, Size size, O&& observer = {}) {
-  const auto [width, height] = size;
-  expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
-          "a picture has 1 to {} pixels per side, not {} x {}", largest_side, width, height);
-  const double ratio = static_cast<double>(width) / height;
-  const auto& eye = scene.camera;
-
+  expect_size(size);
   // 1 Input model
   auto in = input(scene, observer);
   // 2 World transformation
   auto w = to_world(scene, in, observer);
   // 3 Perspective transformation
-  auto c = to_clip(eye, ratio, w, observer);
+  auto c = to_clip(scene, size, w, observer);
   // 4 Back-face removal
   auto front = cull(scene, c, observer);
   // 5 Clipping, then division by w
@@ -57,7 +59,7 @@ Image render(const Scene& scene, Size size, O&& observer = {}) {
   // Painter, BSP tree: their order
   arrange(scene, front, size, t);
   // 6 Rasterization
-  Visible kept(width, height);
+  auto kept = z_buffer_of(size);
   auto emit = [&](auto& f) {
     // 7 Hidden surface removal
     keep_nearest(f, kept, observer);
@@ -77,13 +79,10 @@ Image render(const Scene& scene, Size size, O&& observer = {}) {
 /// Accuracy: without antialiasing, the bits of render.
 /// Cost: that of antialias.
 inline LightPicture antialiased(const Scene& scene, Size size) {
-  const auto [width, height] = size;
-  expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
-          "a picture has 1 to {} pixels per side, not {} x {}", largest_side, width, height);
-  const double aspect = static_cast<double>(width) / height;
+  expect_size(size);
   // 1 to 5 as without
   const auto world = to_world(scene, input(scene));
-  const auto seen = to_clip(scene.camera, aspect, world);
+  const auto seen = to_clip(scene, size, world);
   const auto facing = cull(scene, seen);
   Triangles triangles = clip(world, facing, size);
   arrange(scene, facing, size, triangles);

@@ -24,17 +24,15 @@ enum class Fault {
 template <ChainObserver O = Unobserved>
 Image render_with(Fault fault, const Scene& scene, Size size, O&& observer = {}) {
   if (fault == Fault::none) return render(scene, size, observer);
-  const auto [width, height] = size;
-  expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
-          "a picture has 1 to {} pixels per side, not {} x {}", largest_side, width, height);
+  expect_size(size);
   const auto model = input(scene, observer);
   const auto world = to_world(scene, model, observer);
-  const auto seen = to_clip(scene.camera, static_cast<double>(width) / height, world, observer);
+  const auto seen = to_clip(scene, size, world, observer);
   const auto facing = fault == Fault::cull_after_division ? cull_after_division(scene, seen, observer)
                                                           : cull(scene, seen, observer);
   Triangles triangles = clip(world, facing, size, observer);
   arrange(scene, facing, size, triangles);
-  Visible kept(width, height);
+  Visible kept = z_buffer_of(size);
   const auto emit = [&](const Fragment& f) { keep_nearest(f, kept, observer); };
   if (fault == Fault::closed_half_planes) {
     rasterize_closed(triangles, size, emit, observer);

@@ -109,12 +109,11 @@ void count_edges(const std::vector<Piece>& facing, const Triangles& bars, Ledger
 
 /// Stages 1 to 5 for one object.
 Triangles geometry_of(const Scene& scene, int number, const Plan& plan, Ledger& ledger) {
-  const auto [width, height] = plan.size;
   Model<ObjectPoint> model;
   bring_in(*object_at(scene, number).mesh, number, model);
   const auto pieces = count_of(model.pieces);
   const auto world = to_world(scene, std::move(model));
-  const auto seen = to_clip(scene.camera, static_cast<double>(width) / height, world);
+  const auto seen = to_clip(scene, plan.size, world);
   const auto facing = cull(scene, seen);
   const bool cut = plan.cuts(number);
   const bool edges = scene.shading == Shading::wireframe;

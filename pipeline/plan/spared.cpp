@@ -18,7 +18,7 @@ namespace {
 Triangles all_triangles(Scene scene, Size size) {
   scene.culling = Culling::none;
   const auto world = to_world(scene, input(scene));
-  const auto seen = to_clip(scene.camera, static_cast<double>(size.width) / size.height, world);
+  const auto seen = to_clip(scene, size, world);
   const auto facing = cull(scene, seen);
   return scene.shading == Shading::wireframe ? outlines(facing, size) : clip(world, facing, size);
 }

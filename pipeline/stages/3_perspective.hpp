@@ -12,6 +12,7 @@
 #include "projection/perspective/perspective.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "scene/camera/scene_camera.hpp"
+#include "scene/scene.hpp"
 #include "stages/points.hpp"
 
 namespace gradus::pipeline {
@@ -81,6 +82,12 @@ Model<ClipPoint> to_clip(const SceneCamera& of, double aspect, const Model<World
   clip.pieces = world.pieces;
   clip.planes = world.planes;
   return clip;
+}
+
+/// The same through a scene's camera, for a picture of this size.
+template <Observer<Projected> O = Unobserved>
+Model<ClipPoint> to_clip(const Scene& scene, Size size, const Model<WorldPoint>& world, O&& observer = {}) {
+  return to_clip(scene.camera, size.ratio(), world, observer);
 }
 
 }  // namespace gradus::pipeline

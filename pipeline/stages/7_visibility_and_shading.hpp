@@ -56,6 +56,9 @@ struct Candidate {
 using PixelCell = z_buffer::Cell<double, Candidate>;
 using Visible = Raster<PixelCell>;
 
+/// Of a picture of this size; every pixel is free.
+inline Visible z_buffer_of(Size size) { return {size.width, size.height}; }
+
 /// The fragment that a pixel holds; nothing when it is free.
 inline std::optional<Fragment> held(const PixelCell& cell) {
   return cell.taken ? std::optional(cell.key.fragment) : std::nullopt;

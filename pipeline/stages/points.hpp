@@ -45,6 +45,8 @@ struct SnappedPoint {
 /// Pixels of a picture, 1 to 2^15 per side.
 struct Size {
   int width = 800, height = 600;
+
+  constexpr double ratio() const { return static_cast<double>(width) / height; }
 };
 
 /// Which vertex of which object.

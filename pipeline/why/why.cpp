@@ -67,7 +67,7 @@ Triangles stages_of(const Scene& scene, int number, Size size, Watcher&& watcher
   Model<ObjectPoint> model;
   bring_in(*object_at(scene, number).mesh, number, model, watcher);
   const auto world = to_world(scene, std::move(model), watcher);
-  const auto seen = to_clip(scene.camera, static_cast<double>(size.width) / size.height, world, watcher);
+  const auto seen = to_clip(scene, size, world, watcher);
   told(seen);
   const auto facing = cull(scene, seen, watcher);
   Triangles triangles = clip(world, facing, size, watcher);

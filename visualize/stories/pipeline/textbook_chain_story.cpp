@@ -37,16 +37,9 @@ struct Exchanged {
   std::size_t end = stages.size();
 };
 
-/// Lists a stage's own functions, or the chain's eight calls. What an exhibit exchanges it lists itself.
+/// Lists a stage's own functions. The chain's eight calls, and what an exhibit exchanges, are listed already.
 void list(Narrator& narrator, std::size_t number, const Exchanged& exchanged) {
-  if (number != 0 && number == exchanged.stage) return;
-  if (number == 0) {
-    // Above the first stage stand the picture's size and its checks
-    std::vector<SourceLine>& lines = narrator.trace().listing;
-    const auto first_stage = [](const SourceLine& l) { return l.text.starts_with("// 1"); };
-    lines.erase(lines.begin(), std::ranges::find_if(lines, first_stage));
-    return;
-  }
+  if (number == 0 || number == exchanged.stage) return;
   const Stage& stage = stages[number - 1];
   narrator.list(stage.function, fmt::format("pipeline/stages/{}.hpp", stage.file));
   if (!stage.function_below.empty()) narrator.list_below(stage.function_below);

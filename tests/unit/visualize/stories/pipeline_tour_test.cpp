@@ -113,7 +113,7 @@ TEST(PipelineTour, HasAStepForEveryStage) {
     }
     EXPECT_THAT(lines,
                 testing::ElementsAre("auto in = input(scene);", "auto w = to_world(scene, in);",
-                                     "auto c = to_clip(eye, ratio, w);", "auto front = cull(scene, c);",
+                                     "auto c = to_clip(scene, size, w);", "auto front = cull(scene, c);",
                                      "auto t = clip(w, front, size);", "rasterize(t, size, emit);",
                                      "auto lit = shade(scene, t, kept);", "return output(lit);"));
   }
