@@ -156,14 +156,10 @@ const std::vector<Shared>& shared_listings() {
        "the same method on two kinds of region: it asks both the same questions"},
       {"illumination/phong illumination/lights_side_by_side illumination/highlight_lobes",
        "the same method with other lamps, or with other exponents"},
-      {"polygon_shading/phong polygon_shading/all_three",
-       "Phong's beside the others, each of which has its own listing"},
       {"supersampling/more_samples supersampling/rays",
        "the same method, on other scenes and numbers of samples"},
       {"supersampling/supersample supersampling/filters",
        "the same method for every filter: their weights are listed above it"},
-      {"texture_mapping/mip_mapped texture_mapping/all_filters",
-       "the last filter beside the others, each of which has its own listing"},
   };
   return all;
 }

@@ -364,7 +364,7 @@ const TopicEntry& entry() {
                     .unread = {"intensities", "towards"}},
                    {.name = "all_three",
                     .tell = tell_three,
-                    .function = "phong",
+                    .function = "flat",
                     .unread = {"intensities", "towards"}},
                    {.name = "vertex_normals",
                     .tell = tell_vertex_normals,

@@ -383,7 +383,7 @@ const TopicEntry& entry() {
                     .unread = {"corners", "columns", "rows", "tiles", "wrap"}},
                    {.name = "all_filters",
                     .tell = tell_all_filters,
-                    .function = "mip_mapped",
+                    .function = "nearest",
                     .file = "texture_filters.hpp"},
                    {.name = "affine",
                     .standing = Standing::faulty,

@@ -1,6 +1,7 @@
 #pragma once
 // The same faces shaded flat, by Gouraud and by Phong, beside each other.
 
+#include "stories/listing.hpp"
 #include "stories/picture_shelf.hpp"
 #include "stories/shading/polygon_shading/subject.hpp"
 
@@ -8,6 +9,8 @@ namespace gradus::polygon_shading {
 
 inline void tell_three(Narrator& narrator) {
   const Words& words = narrator.words();
+  narrator.list_below("gouraud");
+  narrator.list_below("phong");
   const Subject subject = subject_of(narrator.arguments());
   narrator.trace().subtitle = words.count("subtitle", std::ssize(subject.rings),
                                           {{"columns", subject.size.x}, {"rows", subject.size.y}});
@@ -28,10 +31,12 @@ inline void tell_three(Narrator& narrator) {
   shelf.start(
       {.text = "three", .words = {{"vertices", subject.places.size()}}, .count = std::ssize(subject.rings)});
   const Picture right = phong_picture(subject);
-  auto take = [&, m = 0](std::string_view text, const Picture& picture, std::int64_t lights) mutable {
+  // decides: the line that makes a way's colours
+  auto take = [&, m = 0](std::string_view text, std::string_view decides, const Picture& picture,
+                         std::int64_t lights) mutable {
     const double worst = worst_of(picture, right).difference;
     const std::string key(text.substr(6));
-    shelf.show("PictureShaded", 0, tones_in(picture),
+    shelf.show("PictureShaded", line_with(narrator.trace().listing, decides), tones_in(picture),
                {.text = text,
                 .facts = {{"lights", lights}, {"worst", worst}},
                 .words = {{"difference", worst}},
@@ -51,14 +56,14 @@ inline void tell_three(Narrator& narrator) {
     const std::vector<Smooth> corners = subject.smooth(f);
     flat(std::span<const Smooth>(corners), subject.picture(), count, plot);
   });
-  take("three.flat", once, faces);
+  take("three.flat", "lit(light, middle)", once, faces);
   const std::vector<double> colours = subject.vertex_colours();
   const Picture mixed = picture_of(subject, [&](std::size_t f, const auto& plot) {
     const std::vector<Lit> corners = subject.lit(f, colours);
     gouraud(std::span<const Lit>(corners), subject.picture(), plot);
   });
-  const std::int64_t vertices = take("three.gouraud", mixed, std::ssize(colours));
-  const std::int64_t pixels = take("three.phong", right, std::ssize(right));
+  const std::int64_t vertices = take("three.gouraud", "mix(il, ir, gamma)", mixed, std::ssize(colours));
+  const std::int64_t pixels = take("three.phong", "lit(light, np)", right, std::ssize(right));
   shelf.finish(
       {.text = "three.finished", .words = {{"faces", faces}, {"vertices", vertices}, {"pixels", pixels}}});
   narrator.telling({4, 0});  // all three beside each other, in one sentence

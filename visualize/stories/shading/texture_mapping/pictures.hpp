@@ -1,6 +1,7 @@
 #pragma once
 // Pictures side by side: the levels of a texture, and the same quad through three filters.
 
+#include "stories/listing.hpp"
 #include "stories/past.hpp"
 #include "stories/picture_shelf.hpp"
 #include "stories/shading/texture_mapping/drawing.hpp"
@@ -120,6 +121,8 @@ inline void tell_mip_chain(Narrator& narrator) {
 
 inline void tell_all_filters(Narrator& narrator) {
   const Words& words = narrator.words();
+  narrator.list_below("bilinear");
+  narrator.list_below("mip_mapped");
   const Subject subject = subject_of(narrator.arguments());
   const Picture right = supersampled(subject);
   narrator.subtitle("subtitle",
@@ -135,12 +138,13 @@ inline void tell_all_filters(Narrator& narrator) {
   const auto texel = subject.look_up();
   const MipChain<double> chain = subject.chain();
   std::vector<double> off;
-  const auto filter = [&](std::string_view text, int texels, const auto& look_up) {
+  // decides: the line that makes a filter's colour
+  const auto filter = [&](std::string_view text, std::string_view decides, int texels, const auto& look_up) {
     const Picture picture = picture_of(subject, look_up);
     const double before = off.empty() ? 0 : off.back();
     const std::string key(text.substr(6)), &name = names[off.size()];
     off.push_back(mean_difference(picture, right));
-    shelf.show("PictureFiltered", 0, tones_in(picture),
+    shelf.show("PictureFiltered", line_with(narrator.trace().listing, decides), tones_in(picture),
                {.text = text,
                 .facts = {{"off", off.back()}},
                 .words = {{"before", before}},
@@ -148,9 +152,11 @@ inline void tell_all_filters(Narrator& narrator) {
                 .key = key,
                 .phase = key});
   };
-  filter("three.nearest", 1, [&](dvec2 uv, const auto&) { return nearest(uv, subject.texture, texel); });
-  filter("three.bilinear", 4, [&](dvec2 uv, const auto&) { return bilinear(uv, subject.texture, texel); });
-  filter("three.mip_mapped", 8,
+  filter("three.nearest", "= texel(at)", 1,
+         [&](dvec2 uv, const auto&) { return nearest(uv, subject.texture, texel); });
+  filter("three.bilinear", "lerp(low, high, t.y)", 4,
+         [&](dvec2 uv, const auto&) { return bilinear(uv, subject.texture, texel); });
+  filter("three.mip_mapped", "lerp(fine, coarse, t)", 8,
          [&](dvec2 uv, const auto& area) { return mip_mapped(uv, area, chain, subject.texture.wrap); });
   shelf.finish(
       {.text = "three.finished", .words = {{"nearest", off[0]}, {"bilinear", off[1]}, {"mip", off[2]}}});
