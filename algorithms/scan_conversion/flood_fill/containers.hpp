@@ -11,10 +11,11 @@
 
 namespace gradus::flood_fill {
 
-/// Last in, first out.
-template <class Entry>
-class Stack {
+/// What both are made of: entries that come in at the back.
+template <class Entries>
+class Counted {
  public:
+  using Entry = typename Entries::value_type;
   static constexpr std::size_t entry_bytes = sizeof(Entry);
 
   void push(const Entry& entry) {
@@ -22,49 +23,41 @@ class Stack {
     peak_ = std::max(peak_, entries_.size());
     ++pushed_;
   }
-  void pop() { entries_.pop_back(); }
-  Entry take() {
-    const Entry entry = entries_.back();
-    entries_.pop_back();
-    return entry;
-  }
-  Entry& top() { return entries_.back(); }
   bool empty() const { return entries_.empty(); }
   std::size_t size() const { return entries_.size(); }
   std::size_t peak() const { return peak_; }
   std::int64_t pushed() const { return pushed_; }
 
+ protected:
+  Entries entries_;
+
  private:
-  std::vector<Entry> entries_;
   std::size_t peak_ = 0;
   std::int64_t pushed_ = 0;
 };
 
-/// First in, first out; gives its memory back as it empties.
+/// Last in, first out.
 template <class Entry>
-class Queue {
+class Stack : public Counted<std::vector<Entry>> {
  public:
-  static constexpr std::size_t entry_bytes = sizeof(Entry);
-
-  void push(const Entry& entry) {
-    entries_.push_back(entry);
-    peak_ = std::max(peak_, entries_.size());
-    ++pushed_;
-  }
+  Entry& top() { return this->entries_.back(); }
+  void pop() { this->entries_.pop_back(); }
   Entry take() {
-    const Entry entry = entries_.front();
-    entries_.pop_front();
+    const Entry entry = top();
+    pop();
     return entry;
   }
-  bool empty() const { return entries_.empty(); }
-  std::size_t size() const { return entries_.size(); }
-  std::size_t peak() const { return peak_; }
-  std::int64_t pushed() const { return pushed_; }
+};
 
- private:
-  std::deque<Entry> entries_;
-  std::size_t peak_ = 0;
-  std::int64_t pushed_ = 0;
+/// First in, first out; gives its memory back as it empties.
+template <class Entry>
+class Queue : public Counted<std::deque<Entry>> {
+ public:
+  Entry take() {
+    const Entry entry = this->entries_.front();
+    this->entries_.pop_front();
+    return entry;
+  }
 };
 
 }  // namespace gradus::flood_fill
