@@ -368,7 +368,7 @@ TEST(HardBounds, ExpandedEdgesFarOut) {
     }
     return most;
   };
-  EXPECT_TRUE(states("algorithms/scan_conversion/triangle_coverage/triangle_coverage_notes.hpp",
+  EXPECT_TRUE(states("algorithms/scan_conversion/triangle_coverage/triangle_coverage.faults",
                      "a unit in the last place of |origin|^2: {} square pixels at 1e8.",
                      {worst(8000, draw, judge)}));
 }

@@ -1,10 +1,19 @@
 #pragma once
 // Where a triangle, its edges' lines and the regions between them lie in the drawing.
 
-#include "scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"
+#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
 #include "stories/scan_conversion/triangle_coverage/subject.hpp"
 
 namespace gradus::triangle_coverage {
+
+/// The pixels of a window, row by row.
+inline std::vector<ivec2> pixels_of(const Window& window) {
+  std::vector<ivec2> pixels;
+  for (const int y : rows(window)) {
+    for (const int x : columns(window)) pixels.push_back({x, y});
+  }
+  return pixels;
+}
 
 class TriangleDrawing {
  public:
