@@ -17,6 +17,7 @@
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_window.hpp"
 
 namespace gradus::antialiased_line {
 

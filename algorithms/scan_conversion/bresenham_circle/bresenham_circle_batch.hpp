@@ -6,6 +6,7 @@
 
 #include "core/raster.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
+#include "scan_conversion/bresenham_circle/bresenham_circle_window.hpp"
 
 namespace gradus::bresenham_circle {
 

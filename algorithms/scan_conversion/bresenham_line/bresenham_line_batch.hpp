@@ -7,6 +7,7 @@
 
 #include "core/raster.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_window.hpp"
 
 namespace gradus::bresenham_line {
 
@@ -152,7 +153,7 @@ void draw(Raster<Cell>& raster, ivec2 from, ivec2 to, const Cell& value) {
   Stretch shown{0, dx};
   if (!raster.contains(from) || !raster.contains(to)) {
     shown = visible(from, to, raster.window());
-    if (shown.last < shown.first) return;
+    if (shown.empty()) return;
   }
   // Long runs within a row: whole runs at once
   constexpr Whole long_run = 8;

@@ -1,6 +1,7 @@
 // Every method of bresenham_circle as a function of its own; see machine_code_test.py.
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
+#include "scan_conversion/bresenham_circle/bresenham_circle_window.hpp"
 
 namespace circle = gradus::bresenham_circle;
 using gradus::ivec2;

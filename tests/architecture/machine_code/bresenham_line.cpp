@@ -2,6 +2,7 @@
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_window.hpp"
 
 namespace line = gradus::bresenham_line;
 using gradus::ivec2;

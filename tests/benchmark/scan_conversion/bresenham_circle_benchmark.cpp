@@ -8,6 +8,7 @@
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_batch.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
+#include "scan_conversion/bresenham_circle/bresenham_circle_window.hpp"
 #include "stress/scan_conversion/nearest_pixels.hpp"
 
 #ifdef GRADUS_HAS_OPENCV

@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_batch.hpp"
+#include "scan_conversion/bresenham_circle/bresenham_circle_window.hpp"
 #include "stress/scan_conversion/nearest_pixels.hpp"
 #include "stress/scan_conversion/whole_numbers.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "core/arithmetic/exact_scalar.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_window.hpp"
 #include "stress/scan_conversion/nearest_pixels.hpp"
 #include "stress/scan_conversion/whole_numbers.hpp"
 

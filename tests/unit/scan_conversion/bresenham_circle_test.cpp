@@ -15,6 +15,7 @@
 #include "core/record.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_batch.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
+#include "scan_conversion/bresenham_circle/bresenham_circle_window.hpp"
 #include "stress/scan_conversion/nearest_pixels.hpp"
 #include "support/sanitized.hpp"
 

@@ -13,6 +13,7 @@
 #include "core/record.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_window.hpp"
 #include "stress/scan_conversion/nearest_pixels.hpp"
 
 namespace gradus::bresenham_line {

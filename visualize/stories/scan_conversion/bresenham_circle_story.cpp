@@ -3,6 +3,7 @@
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
+#include "scan_conversion/bresenham_circle/bresenham_circle_window.hpp"
 #include "stories/checking.hpp"
 #include "stories/scan_conversion/bresenham_circle/drawing.hpp"
 
@@ -348,7 +349,7 @@ void tell_window(Narrator& narrator, const Circle& circle) {
     refuse("window", "at most {} pixels of the circle can be watched, this window shows {}", most_in_window,
            shown);
   }
-  narrator.list("in_window");
+  narrator.list("in_window", "bresenham_circle_window.hpp");
   Story story(narrator.words(), circle, Way::windowed);
   in_window(circle.center, circle.radius, *circle.window, drop, narrator.watcher(story));
   narrator.result({{"count", narrator.board().plotted()}});
@@ -363,7 +364,7 @@ void tell_part(Narrator& narrator, const Circle& circle) {
   const auto at = [&](std::int64_t x) {
     return pixel_of(circle.center, octants[0], x, height_at(circle.radius, x));
   };
-  narrator.list("in_window");
+  narrator.list("in_window", "bresenham_circle_window.hpp");
   Story story(narrator.words(), circle, Way::whole);
   in_window(circle.center, circle.radius, window_around(at(circle.first), at(last)), drop,
             narrator.watcher(story));

@@ -4,6 +4,7 @@
 
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_window.hpp"
 #include "stories/scan_conversion/bresenham_line/checking.hpp"
 #include "stories/scan_conversion/bresenham_line/dda_story.hpp"
 #include "stories/scan_conversion/bresenham_line/drawing.hpp"
@@ -309,11 +310,11 @@ Line walked(Narrator& narrator) {
 
 /// Of a line that starts in the middle only the part that is kept.
 void tell_part(Narrator& narrator, const Line& line) {
-  narrator.list("in_window");
+  narrator.list("in_window", "bresenham_line_window.hpp");
   narrator.retitle(line.window ? "in_window" : "jumped_to_part");
   DecisionStory story(narrator.words(), line, Way::right);
   const Stretch shown = line.shown;
-  if (shown.last < shown.first) {
+  if (shown.empty()) {
     return in_window(line.from, line.to, *line.window, drop, narrator.watcher(story));
   }
   const Recording& recording = narrator.recording();

@@ -2,6 +2,7 @@
 // The circle itself, as the stories of circles draw it behind all steps.
 
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
+#include "scan_conversion/bresenham_circle/bresenham_circle_window.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::bresenham_circle {

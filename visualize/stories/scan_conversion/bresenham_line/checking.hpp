@@ -2,6 +2,7 @@
 // What is right of a line besides our own pixels: ties, and what follows from a wrong step.
 
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_window.hpp"
 #include "stories/checking.hpp"
 
 namespace gradus::bresenham_line {

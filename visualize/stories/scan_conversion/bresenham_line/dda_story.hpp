@@ -2,6 +2,7 @@
 // The story of a line by adding a rounded slope again and again.
 
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_window.hpp"
 #include "stories/scan_conversion/bresenham_line/drawing.hpp"
 #include "stories/side_by_side.hpp"
 

@@ -2,6 +2,7 @@
 // The line itself, as the stories of lines draw it behind all steps.
 
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_window.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::bresenham_line {
