@@ -76,7 +76,7 @@ class BentStory
     for (const dvec3 p : {subject.from, subject.to}) space.add({p.x, p.z});
     space.add({0, 0});
     space.add({0, std::min(subject.far, std::max({subject.from.z, subject.to.z, subject.wall}) * 1.1)});
-    space_ = Panel({{3.4, 2.6}, {17, 21.4}}, widened(space, 0.02));
+    space_ = Panel(space_place, widened(space, 0.02));
     const double least = std::min(a_.x, b_.x), most = std::max(a_.x, b_.x), margin = 0.12 * (most - least);
     for (const double z : {a_.z, b_.z, subject.depth_of_wall()}) {
       image.add({least - margin, depth(z)});
@@ -219,8 +219,7 @@ class BentStory
 
   View view() const {
     View view;
-    view.add({"z caption space", Role::guide, Text{{10, 23.2}, words_.say("from_above")}});
-    view.add({"z caption image", Role::guide, Text{{28.5, 23.2}, words_.say("transformed")}});
+    add_captions(view, words_, words_.say("transformed"));
     add_axes(view, space_, "space", {words_.symbol("x"), words_.symbol("z")}, 5);
     add_axes(view, image_, "image", {words_.symbol("x′"), words_.symbol("z′")}, 5);
     add_space(view);

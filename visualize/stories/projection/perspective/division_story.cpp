@@ -119,8 +119,7 @@ class DivisionStory : public Past<steps::Started, Finer<Multiplied<double>>, Div
 
   View draw() const {
     View view;
-    view.add({"z caption space", Role::guide, Text{{10, 23.2}, words_.say("from_above")}});
-    view.add({"z caption image", Role::guide, Text{{28.5, 23.2}, words_.shared("projection", "picture")}});
+    add_captions(view, words_, words_.shared("projection", "picture"));
     add_axes(view, space_, "space", {words_.symbol("x"), words_.symbol("z")}, 4);
     add_axes(view, picture_, "picture", {words_.symbol("x′"), words_.symbol("y′")}, 4);
     add_stroke(view, space_, "a plane", Role::boundary, end_of_plane(-1), end_of_plane(1));
@@ -206,7 +205,7 @@ class DivisionStory : public Past<steps::Started, Finer<Multiplied<double>>, Div
     for (const dvec3 p : subject_.points) space.add({p.x, p.z});
     space.add(subject_.eye());
     for (const double side : {-half_, half_}) space.add({subject_.centre.x + side, subject_.plane()});
-    space_ = Panel({{3.4, 2.6}, {17, 21.4}}, widened(space, 0.02), Panel::Fit::stretched);
+    space_ = Panel(space_place, widened(space, 0.02), Panel::Fit::stretched);
     picture_ = Panel({{21.8, 5.2}, {35.2, 18.6}}, {subject_.centre - half_, subject_.centre + half_});
   }
   dvec2 from_above(std::size_t i) const { return {subject_.points[i].x, subject_.points[i].z}; }

@@ -12,21 +12,21 @@ using solids::real;
 using solids::short_real;
 using solids::vector_of;
 
-// perspective_projection.cpp
+// projection_story.cpp
 void tell_projection(Narrator& narrator);
-// vanishing_points.cpp
+// vanishing_story.cpp
 void tell_vanishing_points(Narrator& narrator);
 void tell_parallel_by_plane(Narrator& narrator);
-// bent_lines.cpp
+// bent_story.cpp
 void tell_transformation(Narrator& narrator);
 void tell_keep_z(Narrator& narrator);
-// division.cpp
+// division_story.cpp
 void tell_divide_tested(Narrator& narrator);
 void tell_divide_untested(Narrator& narrator);
 void tell_zoom_minus_z(Narrator& narrator);
-// frustum.cpp
+// frustum_story.cpp
 void tell_frustum(Narrator& narrator);
-// depth_precision.cpp
+// depth_story.cpp
 void tell_depth_precision(Narrator& narrator);
 
 using solids::paper_height;
@@ -51,6 +51,13 @@ inline void say_turn(Narrator& narrator, std::string_view subtitle) {
 /// Where the ray from a point of a rectangle leaves it.
 inline dvec2 last_inside(const Extent& box, dvec2 a, dvec2 way) {
   return a + std::max(0.0, span_in(box, a, way, 0, 1e300).second) * way;
+}
+
+/// Two drawings beside each other: space from above, and what becomes of it.
+inline const Extent space_place{{3.4, 2.6}, {17, 21.4}};
+inline void add_captions(View& view, const Words& words, std::string image) {
+  view.add({"z caption space", Role::guide, Text{{10, 23.2}, words.say("from_above")}});
+  view.add({"z caption image", Role::guide, Text{{28.5, 23.2}, std::move(image)}});
 }
 
 /// What says whether a point of this depth has an image.

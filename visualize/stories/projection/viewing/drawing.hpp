@@ -5,6 +5,7 @@
 #include "projection/viewing/viewing.hpp"
 #include "projection/viewing/viewing_notes.hpp"
 #include "scene/models/obj.hpp"
+#include "stories/rings.hpp"
 #include "stories/space_drawing.hpp"
 #include "stories/telling.hpp"
 
@@ -12,7 +13,7 @@ namespace gradus::viewing {
 
 using DFrame = Frame<double>;
 
-// viewing_block.cpp
+// block_story.cpp
 void tell_block(Narrator& narrator);
 
 constexpr std::array<std::string_view, 3> axis_names{"right", "up", "forward"};
@@ -227,13 +228,12 @@ class Drawing {
     const Extent place{{21, 1}, {34.5, 21.5}};
     const Panel panel(place, widened(all, 0.02));
     const auto at = [&](dvec3 v) { return panel.at(flat(v)); };
-    const auto line = [&](std::string id, Role role, dvec3 tip, int axis) {
-      view.add({id, role, Stroke{at({0, 0, 0}), at(tip), true}});
-      view.add({id + " name", role, Label{at(tip), direction_name(words_, axis)}});
+    const auto line = [&](const std::string& id, dvec3 tip, int axis) {
+      add_arrow(view, id, Role::guide, at({0, 0, 0}), at(tip), direction_name(words_, axis));
     };
-    line("space right", Role::guide, {size, 0, 0}, 0);
-    line("space up", Role::guide, {0, size, 0}, 1);
-    line("space forward", Role::guide, {0, 0, subject_.distance}, 2);
+    line("space right", {size, 0, 0}, 0);
+    line("space up", {0, size, 0}, 1);
+    line("space forward", {0, 0, subject_.distance}, 2);
     view.add({"space eye", Role::input, Dot{at({0, 0, 0})}});
     if (!known.seen) return;
     const dvec3 there = through(wrong, subject_.target), here = through(right, subject_.target);
@@ -304,8 +304,7 @@ class Drawing {
       const std::string name = fmt::format("twin {}", axis_names[static_cast<std::size_t>(i)]);
       const dvec3 axis = axis_of(frame, i);
       const dvec2 tip = world_.at(flat(subject_.eye + arrow_unit(frame) * axis)) + aside;
-      view.add({name, Role::input, Stroke{eye, tip, true}});
-      view.add({name + " name", Role::input, Label{tip, direction_name(words_, i)}});
+      add_arrow(view, name, Role::input, eye, tip, direction_name(words_, i));
     }
     view.add({"twin eye", Role::input, Dot{eye}});
   }
@@ -327,8 +326,7 @@ class Drawing {
     constexpr double length = 2.6;
     for (const auto& [name, way] : world_axes) {
       const dvec2 tip = origin + length * oblique(left_handed ? mirrored(way) : way);
-      view.add({fmt::format("{} {}", id, name), Role::guide, Stroke{origin, tip, true}});
-      view.add({fmt::format("{} {} name", id, name), Role::guide, Label{tip, words_.symbol(name)}});
+      add_arrow(view, fmt::format("{} {}", id, name), Role::guide, origin, tip, words_.symbol(name));
     }
   }
 
@@ -428,9 +426,8 @@ class Drawing {
   void picture_axis(View& view, const Known& known, int number, dvec2 way) const {
     const std::string name(axis_names[static_cast<std::size_t>(number)]);
     const Role role = number == known.newest ? Role::current : Role::accepted;
-    const dvec2 from = seen_place.centre(), to = from + way;
-    view.add({"picture axis " + name, role, Stroke{from, to, true}});
-    view.add({"picture axis " + name + " name", role, Label{to, axis_name(words_, number)}});
+    const dvec2 from = seen_place.centre();
+    add_arrow(view, "picture axis " + name, role, from, from + way, axis_name(words_, number));
   }
 
   /// What the picture shows round its middle, the target: the letter, where it is in front.
