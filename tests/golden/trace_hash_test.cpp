@@ -55,6 +55,7 @@ std::string text_of_shape(const Mark& mark) {
   } else if (const Text* words = std::get_if<Text>(&mark.shape)) {
     point(words->at);
     text += fmt::format(" {} {}", words->text, static_cast<int>(words->align));
+    if (words->line != 0) text += fmt::format(" line {}", words->line);
   } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
     point(label->at);
     text += " " + label->text;

@@ -32,8 +32,9 @@ class Survey {
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
       const double width = text_width(text->text, Face::sans, layout::text_size);
       const double left = text->align == Align::left ? 0 : text->align == Align::centre ? width / 2 : width;
-      add_text(text->at, left, width - left, 0.45 * layout::text_size,
-               (descends(text->text) ? 0.65 : 0.42) * layout::text_size, text->aside);
+      const double below = text->line * layout::paragraph_line;
+      add_text(text->at, left, width - left, 0.45 * layout::text_size - below,
+               (descends(text->text) ? 0.65 : 0.42) * layout::text_size + below, text->aside);
     } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
       // Somewhere beside its point: half its width and a line are enough
       const double half = text_width(label->text, Face::sans, layout::text_size) / 2;

@@ -60,6 +60,7 @@ struct Text {
   std::string text;
   Align align = Align::centre;
   bool aside = false;  ///< explains the whole drawing: left out where it is one of many
+  int line = 0;        ///< of a paragraph: so many lines of text below the place, above it where negative
   friend bool operator==(const Text&, const Text&) = default;
 };
 

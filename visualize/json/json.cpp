@@ -141,6 +141,7 @@ Json mark_json(const Mark& mark) {
     constexpr std::array<std::string_view, 3> aligns{"left", "centre", "right"};
     out.insert(out.end(),
                {"text", text->at.x, text->at.y, text->text, aligns[static_cast<std::size_t>(text->align)]});
+    if (text->line != 0) out.push_back(text->line);
   } else if (const auto* label = std::get_if<Label>(&mark.shape)) {
     out.insert(out.end(), {"label", label->at.x, label->at.y, label->text});
   }

@@ -23,6 +23,7 @@ inline constexpr double sentence_size = 26;  ///< 1/28 and a little
 inline constexpr double title_size = 34;
 inline constexpr double least_cell = 24;  ///< on a slide a cell is never smaller
 inline constexpr double line_height = 30, row_height = 34, heading_height = 38, panel_padding = 8;
+inline constexpr double paragraph_line = 26;  ///< from a text of a drawing to the one below it
 inline constexpr double sentence_line = 33, footer_line = 28;
 
 /// Pixels for one unit.

@@ -354,7 +354,7 @@ class DrawingLayout {
       const dvec2 at = frame_.point(text->at);
       if (!inside(at, grown(frame_.box, 1))) continue;
       const double size = text_size * s_;
-      TextShape shape{{at.x, at.y + 0.35 * size},
+      TextShape shape{{at.x, at.y + text->line * paragraph_line * s_ + 0.35 * size},
                       text->text,
                       Face::sans,
                       size,

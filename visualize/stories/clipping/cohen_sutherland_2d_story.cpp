@@ -264,7 +264,7 @@ class Story {
     for (const char letter : subject_.bits)
       names.push_back(name(static_cast<Border>(border_letters.find(letter))));
     const Extent& plane = plane_.panel().place();
-    constexpr double widest_with_room = 22, line_height = 2.1;
+    constexpr double widest_with_room = 22;
     if (plane.size().x > widest_with_room) {
       const std::string order = fmt::format("{}", fmt::join(names, " · "));
       view.add(
@@ -273,9 +273,10 @@ class Story {
     }
     const std::array<std::string, 3> lines{words_.say("bits", {{"bits", ""}}),
                                            names[0] + " · " + names[1] + " ·", names[2] + " · " + names[3]};
-    dvec2 at = plane.lower + dvec2{plane.size().x + 1.2, 2.2 * line_height};
-    for (std::size_t i = 0; i < lines.size(); ++i, at.y -= line_height)
-      view.add({fmt::format("bits {}", i), Role::guide, Text{at, lines[i], Align::left, true}});
+    const dvec2 at = plane.lower + dvec2{plane.size().x + 1.2, 0.4};
+    for (int i = 0; i < 3; ++i)
+      view.add({fmt::format("bits {}", i), Role::guide,
+                Text{at, lines[static_cast<std::size_t>(i)], Align::left, true, i - 2}});
   }
 
   const Words& words_;

@@ -17,6 +17,8 @@ const LINE_WIDTHS = {
 };
 /** Whose value a mark shows, by its symbol. */
 const quantityOf = (rest) => rest.find((part) => part?.quantity)?.quantity;
+/** Of a text in a paragraph: so many lines below its place. */
+const lineOf = (rest) => (Number.isInteger(rest[4]) ? rest[4] : 0);
 const THIN = 1.6;
 const GAP = 3.5;  // on either side of a line that passes in front
 const dashes = (width) => `${3 * width} ${2 * width}`;
@@ -216,8 +218,14 @@ class Drawing extends StillDrawing {
     if (kind === 'area')
       this.drawArea(rest, role, attributes);
     else if (kind === 'text')
-      pending.texts.push(
-          {at: toPixels(this.at, rest[0], rest[1]), text: rest[2], align: rest[3], look, attributes});
+      pending.texts.push({
+        at: toPixels(this.at, rest[0], rest[1]),
+        text: rest[2],
+        align: rest[3],
+        line: lineOf(rest),
+        look,
+        attributes
+      });
     else if (kind === 'label')
       pending[standing].push({at: toPixels(this.at, rest[0], rest[1]), text: rest[2], look, attributes});
     else if (kind === 'dot' || kind === 'ring')
@@ -305,14 +313,15 @@ class Drawing extends StillDrawing {
 
   // Texts over the marks
   /** Just where it stands; left out where it would lie on another text. */
-  placeText({at: [x, y], text, align, look, attributes}) {
+  placeText({at: [x, y], text, align, line, look, attributes}) {
     const {s} = this.at, {labels} = this, size = TEXT * s, width = textWidth(text, size);
+    const middle = y + line * PARAGRAPH_LINE * s;
     const left = x - {left: 0, centre: 0.5, right: 1}[align] * width;
-    const box = {x: left, y: y - 0.43 * size, width, height: size};
+    const box = {x: left, y: middle - 0.43 * size, width, height: size};
     if (!inside({x, y, width: 0, height: 0}, grown(this.at.box, 1)) || !inside(box, grown(labels.room, s))) return;
     if (labels.texts.some((other) => overlap(grown(box, 2 * s), other))) return;
     labels.texts.push(box);
-    this.marked.push({text, box, baseline: y + 0.35 * size, look, attributes});
+    this.marked.push({text, box, baseline: middle + 0.35 * size, look, attributes});
   }
   /** Those that stand through all steps come first and look only at what stands too, so that they keep still. */
   placeLabels(pending, cells, fixed) {

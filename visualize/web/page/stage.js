@@ -2,7 +2,7 @@
 // Where things go in the drawing: how large a cell can be, which part of the grid is seen, and from the grid's
 // coordinates to pixels.
 
-const TEXT = 20;  // all sizes are those of the C++ layout, in units of which a slide's height has 720
+const TEXT = 20, PARAGRAPH_LINE = 26;  // all sizes are those of the C++ layout, in units of which a slide's height has 720
 const LARGEST_CELL = 96, LEAST_CELL = 16, LEAST_WHOLE_CELL = 6, FOLLOWED_CELL = 30, ROOMY_CELL = 44;
 const LEAST_DOTTED = 14, LEAST_RULED = 6;  // smaller cells have no dot in the middle, or no lines between them
 const AXIS_BELOW = 31, AXIS_ABOVE = 27, AXIS_RIM = 4, PAPER_RIM = 4;
@@ -59,11 +59,12 @@ class Stage {
     };
   }
   /** A label stands somewhere beside its point: half its width and one line are enough. */
-  noteText(kind, [x, y, text, aligned], add) {
-    const align = kind === 'text' ? aligned : 'centre';
+  noteText(kind, rest, add) {
+    const [x, y, text, aligned] = rest, align = kind === 'text' ? aligned : 'centre';
     if (x < this.lower[0] || x > this.upper[0] || y < this.lower[1] || y > this.upper[1]) return;
     add(x, y);
-    this.texts.set(`${x} ${y} ${text}`, {x, y, text, align, half: (kind === 'text' ? 0.65 : 1.5) * TEXT});
+    const half = (kind === 'text' ? 0.65 : 1.5) * TEXT, below = kind === 'text' ? lineOf(rest) * PARAGRAPH_LINE : 0;
+    this.texts.set(`${x} ${y} ${text}`, {x, y, text, align, up: half - below, down: half + below});
   }
 
   // Room beside what is shown
@@ -83,13 +84,13 @@ class Stage {
   textMargins(cell) {
     const margins = {left: PAPER_RIM, right: PAPER_RIM, above: PAPER_RIM, below: PAPER_RIM};
     const most = (side, asked) => { margins[side] = Math.max(margins[side], asked); };
-    const up = this.grid.y_up;
-    for (const {x, y, text, align, half} of this.texts.values()) {
+    const {y_up: yUp} = this.grid;
+    for (const {x, y, text, align, up, down} of this.texts.values()) {
       const width = textWidth(text, TEXT), left = {left: 0, centre: 0.5, right: 1}[align] * width;
       most('left', left - (x - this.lower[0]) * cell);
       most('right', width - left - (this.upper[0] - x) * cell);
-      most(up ? 'below' : 'above', half - (y - this.lower[1]) * cell);
-      most(up ? 'above' : 'below', half - (this.upper[1] - y) * cell);
+      most(yUp ? 'below' : 'above', (yUp ? down : up) - (y - this.lower[1]) * cell);
+      most(yUp ? 'above' : 'below', (yUp ? up : down) - (this.upper[1] - y) * cell);
     }
     return margins;
   }
