@@ -273,15 +273,18 @@ class Description {
   /// Gouraud's: planes of the light of the corners.
   void light_corners() {
     make_single();
-    bool highlights_apart = false;
+    bool highlights_apart = false, grey = true;
     for_each_kind(seen_.group, [&](std::int32_t number) {
       const ShadingGroup& group = shading_.groups()[static_cast<std::size_t>(number)];
       highlights_apart |= group.has_texture();
+      grey = grey && group.grey;
       light_corners_of(group, number);
     });
+    // Of grey light red alone is asked for
+    const std::size_t step = grey ? 3 : 1;
     for_some([&](std::size_t i) {
       const AtCorners q = over_w_of(i);
-      for (std::size_t value = 0; value < (highlights_apart ? 6U : 3U); ++value) {
+      for (std::size_t value = 0; value < (highlights_apart ? 6U : 3U); value += step) {
         const auto at = [&](std::size_t k) { return load(light_[k][value], i); };
         put(times(q, {at(0), at(1), at(2)}), record::values + 3 * static_cast<int>(value), i);
       }

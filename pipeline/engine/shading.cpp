@@ -43,6 +43,8 @@ std::int64_t lamps_of(const Scene& scene) {
 
 // --- Materials -----------------------------------------------------------------------------------
 
+bool is_grey(const glm::vec3& colour) { return colour.r == colour.g && colour.g == colour.b; }
+
 int whole_power_of(float shininess) {
   return shininess >= 0 && shininess <= 1024 && std::floor(shininess) == shininess
              ? static_cast<int>(shininess)
@@ -104,6 +106,8 @@ std::int32_t FrameShading::group_for(const Material& material, const std::vector
   }
   group.lamps_left_out = lamps_of(scene_) - std::ssize(group.lamps);
   group.spared = !plan_.highlights(material);
+  group.grey = is_grey(group.even) && is_grey(group.diffuse) && is_grey(group.specular) &&
+               std::ranges::all_of(group.lamps, is_grey, &Lamp::intensity);
   groups_.push_back(std::move(group));
   return known->second;
 }

@@ -45,6 +45,7 @@ struct ShadingGroup {
   std::vector<Lamp> lamps{};
   std::int64_t lamps_left_out = 0;  ///< they do not reach the object
   bool spared = false;              ///< by the plan: the highlight
+  bool grey = false;                ///< light is the same in red, green and blue, before a texture
 
   bool shines() const { return specular != glm::vec3(0); }
   bool has_texture() const { return texture.levels > 0; }

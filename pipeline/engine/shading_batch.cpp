@@ -57,6 +57,12 @@ struct Planes {
   HWY_INLINE Vec3 three(int place) const {
     return {operator()(place), operator()(place + 3), operator()(place + 6)};
   }
+  // Light by its planes; grey light by its first
+  HWY_INLINE Vec3 light(int place, bool grey, F w) const {
+    if (!grey) return scaled(three(place), w);
+    const F one = hn::Mul(operator()(place), w);
+    return {one, one, one};
+  }
 };
 
 // By Phong's model in each pixel
@@ -98,7 +104,9 @@ HWY_INLINE Vec3 light_of(const LitCells& lit_cells, const Records& records, F co
   const Planes<Records> plane{records, hn::Sub(column, records(record::column)),
                               hn::Sub(row, records(record::row))};
   const ShadingGroup& group = *lit_cells.group;
-  const F w = hn::Div(set(1), plane(record::over_w));
+  // Where rays are parallel it is 1 everywhere
+  const bool parallel = lit_cells.towards != glm::vec3(0);
+  const F w = parallel ? set(1) : hn::Div(set(1), plane(record::over_w));
   doubtful = never();
   Vec3 scattered, highlight;
   if (lit_cells.per_pixel) {
@@ -107,10 +115,10 @@ HWY_INLINE Vec3 light_of(const LitCells& lit_cells, const Records& records, F co
     highlight = light.highlight;
     doubtful = light.doubtful;
   } else {
-    scattered = scaled(plane.three(record::values), w);
+    scattered = plane.light(record::values, group.grey, w);
     // Without a texture both are one
     if (!group.has_texture()) return scattered;
-    highlight = scaled(plane.three(record::values + 9), w);
+    highlight = plane.light(record::values + 9, group.grey, w);
   }
   if (group.has_texture()) scattered = product(scattered, texel_of(group.texture, plane, w));
   return {hn::Add(scattered.x, highlight.x), hn::Add(scattered.y, highlight.y),
@@ -120,7 +128,9 @@ HWY_INLINE Vec3 light_of(const LitCells& lit_cells, const Records& records, F co
 template <class Records>
 HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F column, F row, MI& any_doubtful) {
   M in_doubt;
-  const I packed = packed_of(light_of(lit_cells, records, column, row, in_doubt));
+  const Vec3 light = light_of(lit_cells, records, column, row, in_doubt);
+  const ShadingGroup& group = *lit_cells.group;
+  const I packed = group.grey && !group.has_texture() ? grey_of(light.x) : packed_of(light);
   const auto doubtful = hn::RebindMask(DI(), in_doubt);
   any_doubtful = hn::Or(any_doubtful, doubtful);
   return hn::IfThenZeroElse(doubtful, packed);

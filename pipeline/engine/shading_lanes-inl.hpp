@@ -233,11 +233,21 @@ alignas(64) constexpr float octaves[block_cells] = {
 // Entries of a table of 16 by the lowest four bits of each lane
 HWY_INLINE F looked_up(const float* table, I place) {
   const D d;
-  const I low = hn::And(place, whole(block_cells - 1));
-  if constexpr (hn::MaxLanes(D()) == block_cells)
-    return hn::TableLookupLanes(hn::Load(d, table), hn::IndicesFromVec(d, low));
-  else
-    return hn::GatherIndex(d, table, low);
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  const auto at = [&](std::size_t from, std::size_t count) {
+    const I low = hn::And(place, whole(static_cast<std::int32_t>(count) - 1));
+    return hn::TableLookupLanes(hn::Load(d, table + from), hn::IndicesFromVec(d, low));
+  };
+  if constexpr (lanes == block_cells) {
+    return at(0, block_cells);
+  } else if constexpr (2 * lanes == block_cells) {
+    // The highest bit says in which half, as the sign
+    static_assert(block_cells == 16);
+    const F which = hn::BitCast(d, hn::ShiftLeft<28>(place));
+    return hn::IfNegativeThenElse(which, at(lanes, lanes), at(0, lanes));
+  } else {
+    return hn::GatherIndex(d, table, hn::And(place, whole(block_cells - 1)));
+  }
 }
 
 // The nearest of 0 to 255 by sRGB's curve, or its neighbour, in the lowest byte: 255 (1.055 x^(5/12) - 0.055)
@@ -259,6 +269,12 @@ HWY_INLINE I packed_of(const Vec3& light) {
   const I red = byte_of(light.x), green = hn::ShiftLeft<8>(byte_of(light.y)),
           blue = hn::ShiftLeft<16>(byte_of(light.z));
   return hn::Or(hn::Or(red, green), hn::Or(blue, whole(static_cast<std::int32_t>(0xff000000U))));
+}
+
+// packed_of for three times the same
+HWY_INLINE I grey_of(F light) {
+  const I byte = byte_of(light), twice = hn::Or(byte, hn::ShiftLeft<8>(byte));
+  return hn::Or(hn::Or(twice, hn::ShiftLeft<16>(byte)), whole(static_cast<std::int32_t>(0xff000000U)));
 }
 
 }  // namespace gradus::pipeline::engine::HWY_NAMESPACE

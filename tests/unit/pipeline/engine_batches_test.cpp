@@ -431,6 +431,39 @@ TEST(EngineBatches, GiveLightTheNearestByte) {
   });
 }
 
+/// Grey light is computed once for its three colours.
+TEST(EngineBatches, LightGreyAsTheRedOfColours) {
+  for (int round = 0; round < rounds(24); ++round) {
+    Random random(test::seed(), static_cast<std::uint64_t>(round));
+    Scene grey = test::random_scene(random, 6);
+    grey.shading = static_cast<Shading>(round % 3);
+    grey.antialiasing = round % 2 == 0 ? Antialiasing::none : Antialiasing::adaptive;
+    grey.background = LinearRgb{0.3f};
+    Scene coloured = grey;
+    for (std::size_t i = 0; i < grey.objects.size(); ++i) {
+      Mesh mesh = *grey.objects[i].mesh;
+      if (i == 0 && round % 4 == 3) mesh = test::textured(std::move(mesh), random);
+      Material& material = mesh.materials[0];
+      material.diffuse = LinearRgb{material.diffuse.r};
+      grey.objects[i].mesh = std::make_shared<const Mesh>(mesh);
+      material.diffuse.g /= 2;
+      coloured.objects[i].mesh = std::make_shared<const Mesh>(std::move(mesh));
+    }
+    const auto picture = [](const Scene& scene) {
+      Workspace workspace;
+      return picture_of(scene, buffers_of(scene), plan_of(scene, size), workspace, 1).image;
+    };
+    test::on_every_target([&] {
+      const Image a = picture(grey), b = picture(coloured);
+      for (std::size_t i = 0; i < a.cells().size(); ++i) {
+        const Rgba8 p = a.cells()[i];
+        ASSERT_EQ(p.r, b.cells()[i].r) << "seed " << test::seed() << ", round " << round;
+        ASSERT_TRUE(round % 4 == 3 || (p.g == p.r && p.b == p.r)) << "round " << round;
+      }
+    });
+  }
+}
+
 TEST(EngineBatches, MakeTheSamePictureOnEveryMachine) {
   const std::uint64_t seed = test::seed();
   for (int round = 0; round < rounds(30); ++round) {
