@@ -16,6 +16,7 @@
 #include "antialiasing/adaptive/sample_places.hpp"
 #include "engine/account.hpp"
 #include "engine/geometry.hpp"
+#include "engine/light_bytes.hpp"
 #include "engine/samples_batch.hpp"
 #include "engine/shading.hpp"
 #include "engine/surfaces.hpp"
@@ -23,7 +24,6 @@
 #include "engine/tiles.hpp"
 #include "engine/visibility_batch.hpp"
 #include "plan/planned.hpp"
-#include "stages/8_output.hpp"
 #include "stages/antialiasing.hpp"
 
 namespace gradus::pipeline::engine {
@@ -183,6 +183,24 @@ void on_threads(int threads, const Work& work) {
   tbb::task_arena(workers).execute(work);
 }
 
+/// Stage 8 row by row, on the threads of the arena that it is called in.
+Picture output_on_threads(const LightPicture& light, const LinearRgb& background) {
+  static const LightBytes bytes;
+  Picture picture{Image(light.width(), light.height()), 0};
+  std::atomic<std::int64_t> covered = 0;
+  tbb::parallel_for(0, light.height(), [&](int y) {
+    std::int64_t shown = 0;
+    for (int x = 0; x < light.width(); ++x) {
+      const PixelLight& pixel = light[ivec2{x, y}];
+      picture.image[ivec2{x, y}] = bytes(over(pixel, background));
+      shown += pixel.share > 0;
+    }
+    covered += shown;
+  });
+  picture.covered = covered;
+  return picture;
+}
+
 /// An image of a window's size, whose pixels may be any.
 void make_room(Image& image, const Window& window) {
   const auto width = static_cast<int>(window.width()), height = static_cast<int>(window.height());
@@ -256,8 +274,7 @@ void draw_into(Picture& picture, const Scene& scene, const Buffers& buffers, con
                Workspace& workspace, int threads, const EngineWatch& watch) {
   if (!draws_in_single_precision(scene)) {
     const LightPicture light = light_of(scene, buffers, plan, threads, watch);
-    const auto shows = [](const PixelLight& pixel) { return pixel.share > 0; };
-    picture = {output(over_background(light, scene.background)), std::ranges::count_if(light.cells(), shows)};
+    on_threads(threads, [&] { picture = output_on_threads(light, scene.background); });
     return;
   }
   check(scene, threads);
