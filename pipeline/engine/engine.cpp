@@ -17,6 +17,7 @@
 #include "engine/account.hpp"
 #include "engine/geometry.hpp"
 #include "engine/light_bytes.hpp"
+#include "engine/pixel_colours.hpp"
 #include "engine/samples_batch.hpp"
 #include "engine/shading.hpp"
 #include "engine/surfaces.hpp"
@@ -98,7 +99,7 @@ void draw_antialiased(const TileWork& work, int tile, const Window& pixels, Ligh
   Shot shot{screen_triangles(triangles, plan.size),
             picture_window(plan.size),
             pixels,
-            {scene, triangles, plan.size, &plan, &buffers.textures},
+            {scene, triangles, plan.size, &plan, &buffers.textures, PixelColours()},
             scene.samples,
             scene.background,
             nullptr};

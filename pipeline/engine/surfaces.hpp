@@ -2,6 +2,7 @@
 // Pixels by the textbook's arithmetic: one triangle after the other.
 
 #include "engine/geometry.hpp"
+#include "engine/pixel_colours.hpp"
 #include "engine/visibility_batch.hpp"
 #include "stages/7_visibility_and_shading.hpp"
 
@@ -21,7 +22,7 @@ class Surfaces {
   LinearRgb colour(std::int32_t id, ivec2 pixel, ivec2 place) {
     turn_to(id);
     const auto w = weights_at_place(edges_, place);
-    return shaded(light_, {triangle_.id, id, pixel, 0, shares_of(w, over_w_)}, triangle_).colour;
+    return colours_(light_, {triangle_.id, id, pixel, 0, shares_of(w, over_w_)}, triangle_);
   }
   /// The light of a triangle's whole face, before its texture: of flat shading.
   Parts of_face(std::int32_t id) {
@@ -41,6 +42,7 @@ class Surfaces {
 
   const Frame& frame_;
   SceneLight light_;
+  PixelColours colours_;
   std::int32_t id_ = no_triangle;
   Triangle triangle_;
   triangle_coverage::Edges edges_;

@@ -148,34 +148,6 @@ class SceneLight {
   const Mesh& mesh(const Fragment& f) const { return *object_at(scene_, f.id.object).mesh; }
   const MeshFace& face(const Fragment& f) const { return mesh(f).faces[static_cast<std::size_t>(f.id.face)]; }
 
- private:
-  static Surface corner_of(const Triangle& t, std::size_t k) {
-    return {t.corners[k].world.at, t.corners[k].normal};
-  }
-
-  Surface middle_of_face(const Fragment& f, const Triangle& t) const {
-    std::vector<polygon_shading::Corner<double, Surface>> corners;
-    const glm::dmat4& placement = object_at(scene_, f.id.object).placement;
-    for (const Corner& corner : corners_of(mesh(f), face(f)))
-      corners.push_back({{}, {affine_3d::transform(placement, position_of(mesh(f), corner)), {}}});
-    Surface middle =
-        polygon_shading::middle_of(std::span<const polygon_shading::Corner<double, Surface>>(corners));
-    if (affine_3d::mirrors(placement) != t.seen_from_behind) middle.normal = -middle.normal;
-    return middle;
-  }
-
-  Parts at(const Fragment& f, const Surface& surface) {
-    const Lights& lights = lights_of(f.id.object);
-    const Material& m = material(f);
-    const bool matte = plan_ && !plan_->highlights(m);
-    count_.lamps += lights.lamps;
-    count_.lamps_out_of_range += lights.lamps_left_out;
-    count_.lamps_without_highlight += matte ? lights.lamps : 0;
-    if (matte) return illumination::matte(surface.place, surface.normal, m, lights.reaching, scene_.ambient);
-    return illumination::phong(surface.place, surface.normal, viewer_of(scene_.camera, surface.place), m,
-                               lights.reaching, scene_.ambient);
-  }
-
   /// The lights that may reach an object.
   struct Lights {
     std::vector<Light> chosen;  ///< where some are left out
@@ -196,6 +168,43 @@ class SceneLight {
     for (const Light& light : scene_.lights) lights.lamps_left_out += illumination::lamps(light);
     lights.lamps_left_out -= lights.lamps;
     return lights;
+  }
+  /// Whether the plan knows that a material has no highlight.
+  bool is_matte(const Material& m) const { return plan_ && !plan_->highlights(m); }
+  /// Counts the lamps that a place is lit by.
+  void count_lamps(const Lights& lights, const Material& m) {
+    count_.lamps += lights.lamps;
+    count_.lamps_out_of_range += lights.lamps_left_out;
+    count_.lamps_without_highlight += is_matte(m) ? lights.lamps : 0;
+  }
+  /// The light of a place, which is not counted.
+  Parts lit(const Lights& lights, const Material& m, const Surface& at) const {
+    if (is_matte(m)) return illumination::matte(at.place, at.normal, m, lights.reaching, scene_.ambient);
+    return illumination::phong(at.place, at.normal, viewer_of(scene_.camera, at.place), m, lights.reaching,
+                               scene_.ambient);
+  }
+
+ private:
+  static Surface corner_of(const Triangle& t, std::size_t k) {
+    return {t.corners[k].world.at, t.corners[k].normal};
+  }
+
+  Surface middle_of_face(const Fragment& f, const Triangle& t) const {
+    std::vector<polygon_shading::Corner<double, Surface>> corners;
+    const glm::dmat4& placement = object_at(scene_, f.id.object).placement;
+    for (const Corner& corner : corners_of(mesh(f), face(f)))
+      corners.push_back({{}, {affine_3d::transform(placement, position_of(mesh(f), corner)), {}}});
+    Surface middle =
+        polygon_shading::middle_of(std::span<const polygon_shading::Corner<double, Surface>>(corners));
+    if (affine_3d::mirrors(placement) != t.seen_from_behind) middle.normal = -middle.normal;
+    return middle;
+  }
+
+  Parts at(const Fragment& f, const Surface& surface) {
+    const Lights& lights = lights_of(f.id.object);
+    const Material& m = material(f);
+    count_lamps(lights, m);
+    return lit(lights, m, surface);
   }
 
   /// For the middle of the whole face, on the side that is seen.

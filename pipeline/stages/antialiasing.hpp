@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -54,12 +55,16 @@ inline std::vector<triangle_coverage::ScreenTriangle> screen_triangles(const Tri
   return all;
 }
 
+/// How a fragment gets its colour where it is not stage 7 itself that gives it.
+using Colouring = std::function<LinearRgb(SceneLight&, const Fragment&, const Triangle&)>;
+
 /// Stage 7's colour of a triangle, at the place of a pixel that has these weights.
 class FragmentColour {
  public:
+  /// colouring: another way to the colours of `shaded`, with their bits.
   FragmentColour(const Scene& scene, const Triangles& triangles, Size size, const Plan* plan = nullptr,
-                 const LinearTextures* decoded = nullptr)
-      : triangles_(triangles), light_(scene, size, plan, decoded) {}
+                 const LinearTextures* decoded = nullptr, Colouring colouring = {})
+      : triangles_(triangles), light_(scene, size, plan, decoded), colouring_(std::move(colouring)) {}
 
   const ShadingCount& count() const { return light_.count(); }
 
@@ -76,12 +81,13 @@ class FragmentColour {
     const triangle_coverage::Weights within{
         std::max<std::int64_t>(at[0], 0), std::max<std::int64_t>(at[1], 0), std::max<std::int64_t>(at[2], 0)};
     const Fragment f{t.id, triangle, pixel, 0, shares_of(within, over_w_of(t))};
-    return dvec3(shaded(light_, f, t).colour);
+    return dvec3(colouring_ ? colouring_(light_, f, t) : shaded(light_, f, t).colour);
   }
 
  private:
   const Triangles& triangles_;
   SceneLight light_;
+  Colouring colouring_;
 };
 
 /// Who watches a picture being made.

@@ -18,7 +18,7 @@ import new_topic
 import project
 
 # Names in the lists that are no topics
-OTHERS = {"core", "elementary", "engine", "engine_antialiasing", "engine_pixels", "engine_triangles", "exact", "exact_areas", "figures",
+OTHERS = {"core", "elementary", "engine", "engine_antialiasing", "engine_colours", "engine_pixels", "engine_triangles", "exact", "exact_areas", "figures",
           "hidden_surfaces", "pipeline", "plan", "read_obj", "render_antialiasing", "shared", "single_edges",
           "textbook_chain"}
 WITH_TEXT = {".cpp", ".hpp", ".txt", ".md", ".json", ".csv"}
