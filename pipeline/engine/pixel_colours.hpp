@@ -16,9 +16,9 @@ namespace gradus::pipeline::engine {
 class PixelColours {
  public:
   /// The colour of a fragment of a triangle, counted by the light as `shaded` does it.
-  /// Accuracy: the bits of `shaded`. Cost: with Phong's shading a half to an eighth of it; all of it more
-  /// where
-  ///   the bounds of a power become different floats, in at most ten places of a million.
+  /// Accuracy: the bits of `shaded`.
+  /// Cost: with Phong's shading a half to an eighth of it; all of it more where the bounds of a power become
+  ///   different floats, in at most ten places of a million.
   LinearRgb operator()(SceneLight& light, const Fragment& fragment, const Triangle& triangle);
 
  private:
