@@ -1,8 +1,8 @@
 #pragma once
 // Fills on plain memory. fill_rows does what fill_raster does, with a row as a pointer and the raster's edges
 // as bounds of the loops instead of a question per cell. fill_by_labels looks at the whole raster, 64 cells
-// at a time, and pays for no branch per cell. fill_area picks: a small area is not worth a look at the whole
-// raster.
+// at a time, and pays for no branch per cell. fill_area picks: an area of few runs is not worth a look at the
+// whole raster.
 
 #include <algorithm>
 #include <cstdint>
@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "core/raster.hpp"
+#include "scan_conversion/flood_fill/bitmap.hpp"
 #include "scan_conversion/flood_fill/flood_fill.hpp"
+#include "scan_conversion/flood_fill/row_search.hpp"
 #include "scan_conversion/flood_fill/run_labels.hpp"
 
 namespace gradus::flood_fill {
@@ -22,16 +24,16 @@ template <class Cell, class GoesOn>
 std::optional<Filled> rows_while(GoesOn goes_on, Raster<Cell>& raster, ivec2 seed, const Cell& value,
                                  Connectivity connectivity) {
   const Cell old = raster[seed], ink = value;
-  const int reach = corners(connectivity), end = raster.width() - 1;
+  const int reach = corners(connectivity), width = raster.width();
   Stack<Span> waiting;
   std::int64_t painted = 0;
   if (old == ink) return tally(waiting, painted);
 
   // Paints the run that row[x] belongs to, and gives its ends
   const auto paint_run_at = [&](Cell* row, int y, int x, int way) {
-    int left = x, right = x;
-    while (left > 0 && row[left - 1] == old) --left;
-    while (right < end && row[right + 1] == old) ++right;
+    const bool goes_left = x > 0 && row[x - 1] == old;
+    const int left = goes_left ? run_start(row, x - 1, old) : x;
+    const int right = first_other(row, x + 1, width, old) - 1;
     if (left == right) {  // a call would be dearer
       row[left] = ink;
     } else {
@@ -50,15 +52,16 @@ std::optional<Filled> rows_while(GoesOn goes_on, Raster<Cell>& raster, ivec2 see
     const int y = s.row + s.way;
     if (y < 0 || y >= raster.height()) continue;
     Cell* const row = raster.row(y).data();
-    const int last = std::min(s.right + reach, end);
-    for (int x = std::max(s.left - reach, 0); x <= last; ++x) {
-      if (!(row[x] == old)) continue;
+    const int end = std::min(s.right + reach, width - 1) + 1;
+    int x = std::max(s.left - reach, 0);
+    while ((x = first_equal(row, x, end, old)) < end) {
       const Span run = paint_run_at(row, y, x, s.way);
       if (!goes_on(run)) return std::nullopt;
       waiting.push(run);
       if (run.left < s.left - 1 + reach) waiting.push(run.left_of(s));
       if (run.right > s.right + 1 - reach) waiting.push(run.right_of(s));
-      x = run.right + 1;
+      if (run.right + 1 >= end) break;
+      x = run.right + 2;
     }
   }
   return tally(waiting, painted);
@@ -82,86 +85,74 @@ Filled fill_rows(Raster<Cell>& raster, ivec2 seed, const Cell& value,
   return *rows_while([](const Span&) { return true; }, raster, seed, value, connectivity);
 }
 
-/// The part of a word's runs that is wanted, a run for each set bit of `starts`. `run`: the number of the
-/// first, counted on; `carry`: whether a wanted run goes on from the word before, or into the next.
-template <class IsWanted>
-Word wanted_runs(Word bits, Word starts, std::size_t& run, Word& carry, IsWanted is_wanted) {
-  Word begun = 0;
-  for (; starts != 0; starts &= starts - 1) {
-    begun |= Word{is_wanted(run++)} << std::countr_zero(starts);
-  }
-  // A bit added to a run's first one is carried through to its end
-  const Word some = bits + begun, sum = some + carry;
-  carry = some < bits || sum < some;
-  return bits & ~sum;
-}
-
-/// What fill_rows does, by labelling the runs of the whole raster first and painting those of the seed's set
-/// afterwards: faster for areas that fill much of the raster or wind through it; a small
-/// area costs as much as a large one.
-///
-/// raster, seed, value: as for fill_rows.
-///
-/// Domain: as fill_rows, with fewer than 2^32 - 1 runs of the seed's value.
-/// Accuracy: exactly the cells of fill_raster.
-/// Cost: two passes over the raster, 64 cells at a time, and some 15 ns for every overlap of two runs,
-///   however they lie. Memory: a bit per cell and up to 8 bytes per run, counted as peak_bytes.
-/// Errors: as fill_rows.
-template <class Cell>
-Filled fill_by_labels(Raster<Cell>& raster, ivec2 seed, const Cell& value,
-                      Connectivity connectivity = Connectivity::four) {
-  expects_inside(raster, seed);
-  const Cell old = raster[seed];
-  Filled filled;
-  if (old == value) return filled;
-  const Bitmap bitmap(raster, old);
-  const RunLabels labels(bitmap, raster.height(), corners(connectivity));
-  const Label wanted = labels.set_of(labels.run_at(bitmap, seed));
-  const auto is_wanted = [&](std::size_t run) { return labels.set_of(run) == wanted; };
+/// fill_by_labels, of the value `old`. reach: as RunLabels has it.
+template <int reach, class Cell>
+Filled fill_labelled(Raster<Cell>& raster, ivec2 seed, const Cell& old, const Cell& ink) {
+  Bitmap bitmap(raster.width(), raster.height());
+  RunLabels<reach> labels(bitmap.words());
   for (int y = 0; y < raster.height(); ++y) {
-    std::size_t run = labels.first_run(y);
-    Word before = 0, carry = 0;
-    std::span<Cell> rest = raster.row(y);
-    for (const Word bits : bitmap.row(y)) {
-      const Word painted = wanted_runs(bits, starts_of(bits, before), run, carry, is_wanted);
-      const auto cells = rest.first(std::min<std::size_t>(word_bits, rest.size()));
-      paint_bits(cells, painted, value);
-      filled.painted += count_bits(painted);
-      rest = rest.subspan(cells.size());
-      before = bits;
-    }
+    bitmap.read(y, std::span<const Cell>(raster.row(y)), old);
+    labels.add(bitmap.row(y - 1), bitmap.row(y));
+    if (y == seed.y) labels.want(seed.x);
+  }
+  labels.settle();
+  Filled filled;
+  for (int y = 0; y < raster.height(); ++y) {
+    const auto wanted = labels.next_wanted(bitmap.row(y - 1), bitmap.row(y));
+    filled.painted += paint_bits(raster.row(y), wanted, ink);
   }
   filled.peak_bytes = bitmap.bytes() + labels.bytes();
   return filled;
 }
 
-/// Areas of at most 1 / so many of a raster's cells are small.
-inline constexpr Whole small_part = 32;
+/// What fill_rows does, by labelling the runs of the whole raster first and painting those of the seed's set
+/// afterwards: faster for areas that fill much of the raster in short runs or wind through it; a small
+/// area costs as much as a large one.
+///
+/// raster, seed, value: as for fill_rows.
+///
+/// Domain: as fill_rows, with fewer than 2^31 runs of the seed's value.
+/// Accuracy: exactly the cells of fill_raster.
+/// Cost: two passes over the raster, 64 cells at a time, and some ns for every run and every touch of two
+///   runs, however they lie. Memory: a bit per cell, 4 bytes per run that touches none above it and some
+///   rows, counted as peak_bytes.
+/// Errors: as fill_rows.
+template <class Cell>
+Filled fill_by_labels(Raster<Cell>& raster, ivec2 seed, const Cell& value,
+                      Connectivity connectivity = Connectivity::four) {
+  expects_inside(raster, seed);
+  const Cell old = raster[seed], ink = value;
+  if (old == ink) return {};
+  return connectivity == Connectivity::four ? fill_labelled<0>(raster, seed, old, ink)
+                                            : fill_labelled<1>(raster, seed, old, ink);
+}
 
-/// What fill_rows does, by the method that suits the area: by rows for as long as it may be small; an area
-/// that turns out larger is cleared again and filled by labels.
+/// An area of at most one run per so many cells of the raster has few runs.
+inline constexpr std::size_t cells_per_run = 256;
+
+/// What fill_rows does, by the method that suits the area: by rows for as long as it has few runs, because it
+/// is small or its runs are long; an area that turns out otherwise is cleared again and filled by labels.
 ///
 /// raster, seed, value, Domain, Errors: as for fill_by_labels.
 ///
 /// Accuracy: exactly the cells of fill_raster.
-/// Cost: of a small area, that of fill_rows, however large the raster; else that of fill_by_labels and of
-///   1/32 of the raster filled and cleared. Memory: 16 bytes per run of what was painted by rows, until then.
+/// Cost: of an area of few runs, that of fill_rows, however large the raster; else that of fill_by_labels and
+///   of few runs filled and cleared. Memory: 16 bytes per run of what was painted by rows, until then.
 template <class Cell>
 Filled fill_area(Raster<Cell>& raster, ivec2 seed, const Cell& value,
                  Connectivity connectivity = Connectivity::four) {
   expects_inside(raster, seed);
-  const Cell old = raster[seed];
-  const Whole most = Whole{raster.width()} * raster.height() / small_part;
+  const Cell old = raster[seed], ink = value;
+  const auto most =
+      static_cast<std::size_t>(raster.width()) * static_cast<std::size_t>(raster.height()) / cells_per_run;
   std::vector<Span> runs;
-  Whole painted = 0;
-  const auto is_small = [&](const Span& run) {
+  const auto are_few = [&](const Span& run) {
     runs.push_back(run);
-    painted += run.length();
-    return painted <= most;
+    return runs.size() <= most;
   };
-  if (const auto filled = rows_while(is_small, raster, seed, value, connectivity)) return *filled;
+  if (const auto filled = rows_while(are_few, raster, seed, ink, connectivity)) return *filled;
   for (const Span& run : runs) std::fill_n(&raster[{run.left, run.row}], run.length(), old);
-  return fill_by_labels(raster, seed, value, connectivity);
+  return fill_by_labels(raster, seed, ink, connectivity);
 }
 
 }  // namespace gradus::flood_fill

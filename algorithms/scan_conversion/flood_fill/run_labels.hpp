@@ -2,245 +2,209 @@
 // Which runs of equal cells are connected: a label for each run, found row by row, 64 cells at a time.
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <iterator>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
-#include "core/raster.hpp"
+#include "core/contract.hpp"
+#include "scan_conversion/flood_fill/bitmap.hpp"
 
 namespace gradus::flood_fill {
 
-using Word = std::uint64_t;
-inline constexpr int word_bits = 64;
-
-/// The bits up to and including this one.
-constexpr Word up_to(int bit) { return ~Word{0} >> (word_bits - 1 - bit); }
-
-/// The number of set bits. (std::popcount is a call into a library on machines that may lack the
-/// instruction.) H. S. Warren, Hacker's delight, 2nd edition 2012, section 5-1.
-constexpr int count_bits(Word bits) {
-  bits -= bits >> 1 & 0x5555555555555555U;
-  bits = (bits & 0x3333333333333333U) + (bits >> 2 & 0x3333333333333333U);
-  bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fU;
-  return static_cast<int>(bits * 0x0101010101010101U >> 56);
-}
-
-/// A bit per cell: whether it has this value. The first cell is the lowest bit. Domain: 1 to 64 cells.
-template <class Cell, std::size_t extent>
-Word equal_bits(std::span<const Cell, extent> cells, const Cell& value) {
-  const Cell wanted = value;
-  std::array<std::uint8_t, word_bits> equal{};
-  for (std::size_t i = 0; i < cells.size(); ++i) equal[i] = cells[i] == wanted;
-  Word bits = 0;
-  if constexpr (std::endian::native == std::endian::little) {
-    for (std::size_t k = 0; k < 8; ++k) {  // one product moves eight bytes' lowest bits side by side
-      Word eight;
-      std::memcpy(&eight, equal.data() + 8 * k, 8);
-      bits |= (eight * 0x0102040810204080U >> 56) << (8 * k);
-    }
-  } else {
-    for (std::size_t i = 0; i < word_bits; ++i) bits |= Word{equal[i]} << i;
-  }
-  return bits;
-}
-
-#ifdef __SSE2__
-/// The same for 64 bytes: their differences' sign bits, 16 at a time.
-inline Word equal_bits(std::span<const std::uint8_t, word_bits> cells, std::uint8_t value) {
-  const __m128i wanted = _mm_set1_epi8(static_cast<char>(value));
-  Word bits = 0;
-  for (std::size_t first = 0; first < word_bits; first += 16) {
-    const __m128i some = _mm_loadu_si128(reinterpret_cast<const __m128i*>(cells.data() + first));
-    bits |= Word{static_cast<std::uint16_t>(_mm_movemask_epi8(_mm_cmpeq_epi8(some, wanted)))} << first;
-  }
-  return bits;
-}
-#endif
-
-/// The other way: gives the cells whose bit is set a value. Domain: no bit beyond the cells.
-template <class Cell>
-void paint_bits(std::span<Cell> cells, Word bits, const Cell& value) {
-  const Cell ink = value;
-  if (bits == ~Word{0}) {
-    std::fill_n(cells.data(), word_bits, ink);
-  } else if (bits != 0) {
-    std::array<std::uint8_t, word_bits> set;
-    for (std::size_t i = 0; i < word_bits; ++i) set[i] = bits >> i & 1;
-    if (cells.size() == word_bits) {
-      for (std::size_t i = 0; i < word_bits; ++i) cells[i] = set[i] ? ink : cells[i];
-    } else {
-      for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = set[i] ? ink : cells[i];
-    }
-  }
-}
-
-/// A raster as bits: whether a cell has a value. Rows are padded with 0 to whole words.
-class Bitmap {
- public:
-  template <class Cell>
-  Bitmap(const Raster<Cell>& raster, const Cell& value)
-      : words_((static_cast<std::size_t>(raster.width()) + word_bits - 1) / word_bits),
-        bits_(words_ * static_cast<std::size_t>(raster.height())) {
-    auto word = bits_.begin();
-    for (int y = 0; y < raster.height(); ++y) {
-      std::span<const Cell> rest = raster.row(y);
-      for (; rest.size() >= word_bits; rest = rest.subspan(word_bits)) {
-        *word++ = equal_bits(rest.template first<word_bits>(), value);
-      }
-      if (!rest.empty()) *word++ = equal_bits(rest, value);
-    }
-  }
-  std::span<const Word> row(int y) const {
-    return {bits_.data() + words_ * static_cast<std::size_t>(y), words_};
-  }
-  std::size_t bytes() const { return bits_.size() * sizeof(Word); }
-
- private:
-  std::size_t words_;
-  std::vector<Word> bits_;
-};
-
-/// The first cells of a row's runs. `before`: the word to the left, 0 at the border.
-constexpr Word starts_of(Word bits, Word before) { return bits & ~(bits << 1 | before >> (word_bits - 1)); }
-
 using Label = std::uint32_t;
 
-/// Disjoint sets of labels; each is named by its smallest.
-/// R. E. Tarjan, Efficiency of a good but not linear set union algorithm, Journal of the ACM 22(2), 1975.
+/// Disjoint sets of labels, made one after the other; each set is named by its smallest label.
+/// M. M. A. Patwary, J. Blair, F. Manne, Experiments on union-find algorithms for the disjoint-set data
+/// structure, SEA 2010, 411-423: Rem's algorithm.
 class LabelSets {
  public:
-  Label make() {
-    parents_.push_back(static_cast<Label>(parents_.size()));
-    return parents_.back();
+  /// Room for so many more labels. Errors: ContractViolation when there would be more than 2^32 - 1.
+  void make_room(std::size_t more) {
+    const std::size_t needed = made_ + more + 1;
+    expects(needed <= std::numeric_limits<Label>::max(), "{} labels are too many", needed);
+    if (parents_.size() < needed) parents_.resize(std::max(needed, 2 * parents_.size()));
+    parents_[made_] = static_cast<Label>(made_);
   }
-  /// The set's name. Halves the way there for the next time.
-  Label find(Label label) {
-    while (parents_[label] != label) label = parents_[label] = parents_[parents_[label]];
-    return label;
+  /// The label that is made next.
+  Label next() const { return static_cast<Label>(made_); }
+  /// Makes it, or does nothing. (Whether is hard to predict for a branch.)
+  void make(bool really) {
+    made_ += really;
+    parents_[made_] = static_cast<Label>(made_);
   }
+  /// Makes two labels' sets one; gives a label of it that is no larger than both.
   Label join(Label a, Label b) {
-    a = find(a), b = find(b);
-    if (b < a) std::swap(a, b);
-    return parents_[b] = a;
+    while (parents_[a] != parents_[b]) {
+      if (parents_[a] < parents_[b]) std::swap(a, b);
+      const Label parent = std::exchange(parents_[a], parents_[b]);
+      if (parent == a) break;
+      a = parent;
+    }
+    return parents_[b];
   }
   /// From now on every label knows its set's name without a way there.
   void settle() {
-    for (Label& parent : parents_) parent = parents_[parent];  // smaller ones are settled already
+    for (std::size_t i = 0; i < made_; ++i) parents_[i] = parents_[parents_[i]];  // smaller ones are settled
   }
-  /// The same as find. Domain: settled.
-  Label name_of(Label label) const { return parents_[label]; }
-  std::size_t bytes() const { return parents_.size() * sizeof(Label); }
+  /// A label of the same set, no larger, and often its name.
+  Label parent_of(Label label) const { return parents_[label]; }
+  /// Domain: settled.
+  Label name_of(std::size_t label) const { return parents_[label]; }
+  std::size_t bytes() const { return made_ * sizeof(Label); }
 
  private:
   std::vector<Label> parents_;
+  std::size_t made_ = 0;
 };
 
-/// The labels of all runs of a bitmap: equal sets where runs are connected, directly or through others.
+/// The runs of a bitmap that are connected to one of them, directly or through others. Rows are seen twice:
+/// `add` labels their runs, in `next_wanted` those of one set stay.
 /// L. He, Y. Chao, K. Suzuki, A run-based two-scan labeling algorithm, IEEE Transactions on Image Processing
-/// 17(5), 2008, 749-756; here with runs and their overlaps found by bits.
+/// 17(5), 2008, 749-756; here with runs and where they touch found by bits, and without a list of all runs:
+/// a run that touches one above stays if that one does, and the others' labels come in their order again.
 ///
 /// reach: 0 where runs must share a column, 1 where corners connect, too.
-/// Domain: fewer than 2^32 - 1 runs.
-/// Cost: one pass; a few ns per word, and some 15 ns for each overlap of two runs.
+/// Domain: fewer than 2^31 runs.
+/// Cost: some ns for each run and each touch; 4 bytes for each run that touches none above.
+template <int reach>
 class RunLabels {
  public:
-  RunLabels(const Bitmap& bitmap, int height, int reach) : first_run_(static_cast<std::size_t>(height) + 1) {
-    for (int y = 0; y < height; ++y) count_runs(bitmap.row(y), y);
-    expects(first_run_.back() < none, "runs have numbers below {}, but there are {}", none,
-            first_run_.back());
-    of_run_.assign(first_run_.back(), none);
-    for (int y = 0; y < height; ++y) {
-      for (int aside = -reach; y > 0 && aside <= reach; ++aside) {
-        join_rows(bitmap.row(y - 1), bitmap.row(y), y, aside);
-      }
-      for (std::size_t run = first_run(y); run < first_run(y + 1); ++run) {
-        if (of_run_[run] == none) of_run_[run] = sets_.make();
-      }
+  /// words: of a row.
+  explicit RunLabels(std::size_t words)
+      : labels_above_(word_bits * words + at_once + 1),
+        labels_here_(labels_above_),
+        wanted_above_(words + 2),
+        wanted_here_(wanted_above_) {}
+
+  /// Labels the runs of the next row, from the one above.
+  void add(const Word* above, const Word* here) {
+    const std::size_t words = wanted_here_.size() - 2;
+    if (std::equal(above, above + words, here)) return;  // the labels stay
+    labels_above_.swap(labels_here_);
+    sets_.make_room(words * (word_bits / 2));
+    const Label* labels_above = labels_above_.data() + 1;
+    Label* labels_here = labels_here_.data() + 1;
+    for (std::size_t w = 0; w < words; ++w, labels_above += word_bits, labels_here += word_bits) {
+      label_word(above + w, here + w, labels_above, labels_here);
     }
+  }
+  /// The run in this column of the row that was added last is the one that is wanted.
+  void want(int column) { wanted_ = labels_here_[static_cast<std::size_t>(column) + 1]; }
+  /// After the last row.
+  void settle() {
     sets_.settle();
+    wanted_ = sets_.name_of(wanted_);
   }
 
-  /// The number of a row's first run.
-  std::size_t first_run(int y) const { return first_run_[static_cast<std::size_t>(y)]; }
-  /// The number of the run that a cell belongs to. Domain: the cell's bit is set.
-  std::size_t run_at(const Bitmap& bitmap, ivec2 cell) const {
-    std::size_t run = first_run(cell.y);
-    Word before = 0;
-    const std::span<const Word> row = bitmap.row(cell.y);
-    const auto last = static_cast<std::size_t>(cell.x / word_bits);
-    for (std::size_t w = 0; w < last; ++w) {
-      run += count(starts_of(row[w], before));
-      before = row[w];
+  /// The bits of the next row, from the first one on again, that are connected to the wanted run.
+  std::span<const Word> next_wanted(const Word* above, const Word* here) {
+    wanted_above_.swap(wanted_here_);
+    // Signed, for the words on either side
+    const std::ptrdiff_t words = std::ssize(wanted_here_) - 2;
+    const Word* const wanted_above = wanted_above_.data() + 1;
+    Word* const wanted = wanted_here_.data() + 1;
+    for (std::ptrdiff_t w = 0; w < words; ++w) {
+      Word marks = here[w] & widened(wanted_above[w]);
+      if constexpr (reach == 1) {
+        marks |= here[w] & (wanted_above[w - 1] >> (word_bits - 1) | wanted_above[w + 1] << (word_bits - 1));
+      }
+      marks |= wanted_ends(above[w], here[w], starts_of(here[w], here[w - 1]));
+      wanted[w] = right_of_marks(here[w], marks, wanted[w - 1] >> (word_bits - 1));
     }
-    return run + count(starts_of(row[last], before) & up_to(cell.x % word_bits)) - 1;
+    for (std::ptrdiff_t w = words - 1; w >= 0; --w) {
+      wanted[w] = left_of_marks(here[w], wanted[w] | (here[w] & wanted[w + 1] << (word_bits - 1)));
+    }
+    return {wanted, static_cast<std::size_t>(words)};
   }
-  /// The name of the set that a run belongs to.
-  Label set_of(std::size_t run) const { return sets_.name_of(of_run_[run]); }
-  std::size_t bytes() const { return of_run_.size() * sizeof(Label) + sets_.bytes(); }
+
+  std::size_t bytes() const {
+    return sets_.bytes() + 2 * (labels_here_.size() * sizeof(Label) + wanted_here_.size() * sizeof(Word));
+  }
 
  private:
-  static constexpr Label none = ~Label{0};
+  /// A run's label is written to so many cells, before it is asked whether there are more.
+  static constexpr int at_once = 8;
+  static constexpr Word last_bit = Word{1} << (word_bits - 1);
 
-  void count_runs(std::span<const Word> here, int y) {
-    std::size_t runs = first_run(y);
-    Word before = 0;
-    for (const Word bits : here) {
-      const Word starts = starts_of(bits, before);
-      if (starts != 0) runs += count(starts);
-      before = bits;
+  /// With the cells beside them, where corners connect.
+  static constexpr Word widened(Word bits) { return reach == 0 ? bits : bits | bits << 1 | bits >> 1; }
+
+  /// Labels a word's runs: each of their cells has the label, for the row below. Whether a run is new, and
+  /// where it touches, is hard to predict: bits say it, not branches.
+  void label_word(const Word* above, const Word* here, const Label* labels_above, Label* labels_here) {
+    const Word bits = *here;
+    const bool continued = (bits & here[-1] >> (word_bits - 1)) != 0;
+    const Word touches = starts_of(bits & *above, here[-1] & above[-1]);
+    if (reach == 0 && bits == *above) {  // the same runs again
+      std::copy_n(labels_above, word_bits, labels_here);
+      if (continued && (touches & 1) != 0) join(labels_here[-1], labels_here[0]);
+      return;
     }
-    first_run_[static_cast<std::size_t>(y) + 1] = runs;
-  }
-
-  /// Joins each run with those above it, the row above moved aside by -1, 0 or 1 cells.
-  void join_rows(std::span<const Word> above, std::span<const Word> here, int y, int aside) {
-    std::size_t run_here = first_run(y);
-    std::size_t run_above = first_run(y - 1);
-    if (aside < 0 && (above.front() & 3) == 1) ++run_above;  // one of a single cell has moved out
-    Word before_here = 0, before_above = 0, before_both = 0;
-    for (std::size_t w = 0; w < here.size(); ++w) {
-      const Word moved = moved_aside(above, w, aside);
-      const Word start_here = starts_of(here[w], before_here), start_above = starts_of(moved, before_above);
-      const Word both = here[w] & moved;
-      if ((start_here | start_above) != 0) {  // else no overlap begins, either
-        for (Word overlaps = starts_of(both, before_both); overlaps != 0; overlaps &= overlaps - 1) {
-          const Word so_far = up_to(std::countr_zero(overlaps));
-          join(run_here + count(start_here & so_far) - 1, run_above + count(start_above & so_far) - 1);
-        }
-        run_here += count(start_here);
-        run_above += count(start_above);
+    if (continued) std::fill_n(labels_here, std::countr_one(bits), labels_here[-1]);
+    // A first cell added to its run is carried to the first that touches
+    const Word starts = starts_of(bits, here[-1]), carried = (bits & ~touches) + starts;
+    const Word is_new = starts & ~left_of_marks(bits, touches);
+    Word first_touches = touches & carried;
+    for (Word rest = starts; rest != 0; rest &= rest - 1) {
+      const int first = std::countr_zero(rest);
+      const Word fresh = is_new >> first & 1;
+      const Label touched = sets_.parent_of(labels_above[std::countr_zero(first_touches | last_bit)]);
+      const Label label = touched ^ ((touched ^ sets_.next()) & -static_cast<Label>(fresh));
+      sets_.make(fresh);
+      first_touches &= (first_touches - 1) | -fresh;
+      std::fill_n(labels_here + first, at_once, label);
+      if (const Word run = bits >> first; (~run & up_to(at_once)) == 0) {
+        std::fill_n(labels_here + first + at_once, std::countr_one(run) - at_once, label);
       }
-      before_here = here[w], before_above = moved, before_both = both;
+    }
+    for (Word more = touches & ~carried; more != 0; more &= more - 1) {
+      const int at = std::countr_zero(more);
+      join(labels_here[at], labels_above[at]);
+    }
+    if constexpr (reach == 1) join_corners(above, here, labels_above, labels_here);
+  }
+  /// Joins the runs of a word with those that they touch by a corner alone.
+  void join_corners(const Word* above, const Word* here, const Label* labels_above,
+                    const Label* labels_here) {
+    const Word ends = *here & ~*above;
+    const Word from_left = ends & starts_of(*here, here[-1]) & (*above << 1 | above[-1] >> (word_bits - 1));
+    const Word last = ~(*here >> 1 | here[1] << (word_bits - 1));
+    const Word from_right = ends & last & (*above >> 1 | above[1] << (word_bits - 1));
+    for (Word rest = from_left; rest != 0; rest &= rest - 1) {
+      const int at = std::countr_zero(rest);
+      join(labels_here[at], labels_above[at - 1]);
+    }
+    for (Word rest = from_right; rest != 0; rest &= rest - 1) {
+      const int at = std::countr_zero(rest);
+      join(labels_here[at], labels_above[at + 1]);
     }
   }
-
-  static std::size_t count(Word bits) { return static_cast<std::size_t>(count_bits(bits)); }
-
-  /// A run's first overlap gives it a label; others that it has already in common cost a comparison.
-  void join(std::size_t run, std::size_t above) {
-    Label& label = of_run_[run];
-    const Label other = of_run_[above];
-    label = label == none ? other : label;
-    if (label != other) label = sets_.join(label, other);
+  void join(Label a, Label b) {
+    if (a != b) sets_.join(a, b);
   }
 
-  static Word moved_aside(std::span<const Word> row, std::size_t w, int aside) {
-    if (aside > 0) return row[w] << 1 | (w > 0 ? row[w - 1] >> (word_bits - 1) : 0);
-    if (aside < 0) return row[w] >> 1 | (w + 1 < row.size() ? row[w + 1] << (word_bits - 1) : 0);
-    return row[w];
+  /// The last cells, within a word, of those runs begun there that touch none above it and are wanted.
+  Word wanted_ends(Word above, Word here, Word starts) {
+    // A first cell added to what touches none is carried to the cell behind the run, or to one that touches
+    const Word sum = (here & ~above) + starts;
+    Word wanted = 0;
+    for (Word ends = (sum & ~here) >> 1 | Word{sum < starts} << (word_bits - 1); ends != 0;
+         ends &= ends - 1) {
+      wanted |= ends & -ends & -Word{sets_.name_of(next_label_++) == wanted_};
+    }
+    return wanted;
   }
 
-  std::vector<std::size_t> first_run_;
-  std::vector<Label> of_run_;
+  std::vector<Label> labels_above_, labels_here_;  ///< one stands before a row's first cell
+  std::vector<Word> wanted_above_, wanted_here_;   ///< between two words of 0
   LabelSets sets_;
+  Label wanted_ = 0;
+  std::size_t next_label_ = 0;
 };
 
 }  // namespace gradus::flood_fill

@@ -121,7 +121,7 @@ TEST(FloodFill, EveryPictureOfTwelveCells) {
   EXPECT_EQ(cases, 6 * 2 * 12 * 2048);
 }
 
-TEST(FloodFill, ASmallAreaCostsNoLookAtTheWholeRaster) {
+TEST(FloodFill, AnAreaOfFewRunsCostsNoLookAtTheWholeRaster) {
   // A room of ten cells in a raster of a million: what the method remembers tells which one it was
   Raster<std::uint8_t> raster(1000, 1000);
   for (int x = 499; x <= 510; ++x) raster[{x, 499}] = raster[{x, 501}] = 1;
@@ -132,22 +132,33 @@ TEST(FloodFill, ASmallAreaCostsNoLookAtTheWholeRaster) {
   EXPECT_LT(room.peak_bytes, 100u);
   EXPECT_EQ(std::ranges::count(raster.cells(), 2), 10);
 
-  // All around it: by labels, a bit per cell at least, and not a cell else
+  // All around it, in long runs: by rows, and not a cell else
   raster = before;
   auto by_pixels = before;
   const Filled around = fill_area(raster, {0, 0}, std::uint8_t{2});
   EXPECT_EQ(around.painted, fill_raster(by_pixels, {0, 0}, std::uint8_t{2}).painted);
   EXPECT_EQ(raster, by_pixels);
-  EXPECT_GT(around.peak_bytes, 1000u * 1000 / 8);
+  EXPECT_LT(around.peak_bytes, 100u);
+
+  // In many short runs: by labels, a bit per cell at least
+  raster = before;
+  for (int y = 1; y < 498; ++y) {
+    for (int x = y % 100; x < 1000; x += 100) raster[{x, y}] = 1;
+  }
+  by_pixels = raster;
+  const Filled slanting = fill_area(raster, {0, 0}, std::uint8_t{2});
+  EXPECT_EQ(slanting.painted, fill_raster(by_pixels, {0, 0}, std::uint8_t{2}).painted);
+  EXPECT_EQ(raster, by_pixels);
+  EXPECT_GT(slanting.peak_bytes, 1000u * 1000 / 8);
 }
 
-TEST(FloodFill, AnAreaIsSmallUpToOnePartInThirtyTwo) {
+TEST(FloodFill, RunsAreFewUpToOnePer256Cells) {
   for (const int more : {0, 1}) {
     Raster<std::uint8_t> raster(64, 64, 1);
-    const int cells = 64 * 64 / 32 + more;
-    for (int i = 0; i < cells; ++i) raster[{i % 64, i / 64}] = 0;
-    const Filled filled = fill_area(raster, {3, 1}, std::uint8_t{2});
-    EXPECT_EQ(filled.painted, cells);
+    const int runs = 64 * 64 / 256 + more;
+    for (int y = 0; y < runs; ++y) raster[{10 + y % 2, y}] = raster[{11, y}] = 0;
+    const Filled filled = fill_area(raster, {11, 3}, std::uint8_t{2});
+    EXPECT_EQ(filled.painted, runs + (runs + 1) / 2);
     EXPECT_EQ(filled.peak_bytes > 64 * 64 / 8, more == 1) << filled.peak_bytes;
   }
 }
