@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "core/language.hpp"
+
 namespace gradus::a_buffer {
 
 /// 32 sub-samples of a pixel, 4 rows of 8, in reading order from the highest bit on: in hexadecimal two
