@@ -114,6 +114,7 @@ def any_page(check, browser, path):
     # A guard against hanging: how long it takes is printed, and the machine may be slow and busy
     many = page.run('return player.run.steps.length') / 10_000
     check.that(f'{name}: 10,000 steps open in less than ten seconds', opened < 10_000 * max(many, 1), opened)
+    check.that(f'{name}: few rows are made, however many steps', page.run('return player.parts.rows.children.length') < 60)
     check.equal(f'{name}: opens at its first step', page.step, milestones[0])
     check.equal(f'{name}: opens paused', page.run('return player.playing'), False)
     check.that(f'{name}: the first step says something', page.run('return player.state().sentence') != '')
