@@ -8,6 +8,7 @@ without -ffp-contract=off. They have a minute to end: a loop that rounding keeps
 import os
 import pathlib
 import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -131,6 +132,15 @@ class OwnFlags(unittest.TestCase):
             if topic.name in INTEGER_TOPICS:
                 project.run(project.COMPILER, "-std=c++20", "-ffast-math", f"-I{self.folder}", "-fsyntax-only", "-x", "c++",
                             "-include", f"{topic.path}/{topic.name}.hpp", "/dev/null")
+
+    def test_every_header_includes_what_refuses_an_older_language(self):
+        """Of these the next test compiles a share."""
+        includes = {path.relative_to(self.folder).as_posix(): re.findall(r'^#include "([^"]+)"', path.read_text(encoding="utf-8"), re.MULTILINE)
+                    for path in self.folder.rglob("*.hpp") if not path.name.endswith("-inl.hpp")}
+        saying = {"core/language.hpp"}
+        while more := {name for name, others in includes.items() if name not in saying and saying.intersection(others)}:
+            saying |= more
+        self.assertEqual(sorted(set(includes) - saying), [])
 
     def test_an_older_language_is_refused_by_one_error(self):
         headers = sorted(h for h in self.folder.rglob("*.hpp") if not h.name.endswith("-inl.hpp"))
