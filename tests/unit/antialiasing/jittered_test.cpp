@@ -208,7 +208,7 @@ Measured on_edges(Pattern pattern, int count, int edges) {
 }
 
 void expect_known_errors(Pattern pattern, std::array<double, 3> known, const char* name) {
-  constexpr int edges = test::sanitized ? 10'000 : 100'000;
+  constexpr int edges = test::sanitized ? 4'000 : 100'000;
   std::array<double, 3> found{};
   for (std::size_t k = 0; k < 3; ++k) {
     const int count = 16 << 2 * k;

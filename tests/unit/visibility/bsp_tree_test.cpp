@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 
 namespace gradus::bsp_tree {
@@ -160,7 +161,7 @@ TEST(BspTree, PartsThatRoundingHasClosedDoNoHarm) {
 TEST(BspTree, NothingCoversWhatComesLater) {
   Random random(test::seed());
   int hits = 0, cuts = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < (test::sanitized ? 12 : 60); ++round) {
     const ExactScope scope;
     const auto scene = random_scene(random, 8);
     const Tree<Exact> tree = build(in_scalar<Exact>(scene));
@@ -182,8 +183,8 @@ TEST(BspTree, NothingCoversWhatComesLater) {
       }
     }
   }
-  EXPECT_GT(hits, 1000);
-  EXPECT_GT(cuts, 200);
+  EXPECT_GT(hits, test::sanitized ? 200 : 1000);
+  EXPECT_GT(cuts, test::sanitized ? 40 : 200);
 }
 
 /// The parts of a polygon have its whole area, and its own normal.

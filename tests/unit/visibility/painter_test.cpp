@@ -18,6 +18,7 @@
 
 #include "core/random.hpp"
 #include "core/record.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include "visibility/painter/painter_notes.hpp"
 
@@ -345,7 +346,7 @@ TEST(Painter, EveryPairIsInOrder) {
 TEST(Painter, ShowsWhatTheBspTreeShows) {
   Random random(test::seed());
   int hits = 0;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < (test::sanitized ? 10 : 30); ++round) {
     const ExactScope scope;
     const auto scene = in_scalar<Exact>(random_scene(random, 6));
     const bool distant = round % 2 == 0;
@@ -371,7 +372,7 @@ TEST(Painter, ShowsWhatTheBspTreeShows) {
       ++hits;
     }
   }
-  EXPECT_GT(hits, 150);
+  EXPECT_GT(hits, test::sanitized ? 50 : 150);
 }
 
 // --- Steps
