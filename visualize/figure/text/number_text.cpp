@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -81,11 +82,12 @@ std::u32string fraction_text(double value) {
 
 enum class Kind : std::uint8_t { number, name, sign, open, close, comma, relation, equals, space, other };
 
+/// Views into the text, or into what takes its place.
 struct Piece {
   Kind kind;
-  std::u32string text;
+  std::u32string_view text;
   bool rounded = false;
-  std::u32string whole{};  ///< all digits of a rounded number
+  std::u32string_view whole{};  ///< all digits of a rounded number
 };
 
 Kind kind_of(char32_t c) {
@@ -102,8 +104,8 @@ Kind kind_of(char32_t c) {
 }
 
 /// Behind the digits of a number: 12, 1.5, 1.2e-05.
-std::size_t end_of_number(const std::u32string& c, std::size_t at) {
-  const auto digits = [&c](std::size_t from) {
+std::size_t end_of_number(std::u32string_view c, std::size_t at) {
+  const auto digits = [c](std::size_t from) {
     while (from < c.size() && is_digit_of_number(c[from])) ++from;
     return from;
   };
@@ -115,9 +117,9 @@ std::size_t end_of_number(const std::u32string& c, std::size_t at) {
   return at;
 }
 
-std::vector<Piece> pieces_in(std::string_view text) {
-  const std::u32string c = code_points(text);
+std::vector<Piece> pieces_in(std::u32string_view c) {
   std::vector<Piece> pieces;
+  pieces.reserve(c.size());
   for (std::size_t i = 0; i < c.size();) {
     if (c[i] == note_begin) {
       const std::size_t end = std::min(c.find(note_end, i), c.size() - 1);
@@ -142,7 +144,7 @@ std::vector<Piece> pieces_in(std::string_view text) {
   return pieces;
 }
 
-MaybeRatio value_of(const std::u32string& number) {
+MaybeRatio value_of(std::u32string_view number) {
   Ratio value;
   int decimals = 0, exponent = 0;
   bool point = false;
@@ -308,11 +310,15 @@ Side behind_sign(const std::vector<Piece>& pieces, std::size_t sign) {
 
 // --- Texts put together ----------------------------------------------------------------------------------
 
-void show_fractions(std::vector<Piece>& pieces) {
+/// What takes the place of pieces, at the same address for as long as they are used.
+using Written = std::deque<std::u32string>;
+
+void show_fractions(std::vector<Piece>& pieces, Written& all_written) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Piece& piece = pieces[i];
     if (!piece.rounded) continue;
-    const std::u32string written = fraction_text(std::strtod(utf8_of(piece.whole).c_str(), nullptr));
+    const std::u32string_view written =
+        all_written.emplace_back(fraction_text(std::strtod(utf8_of(piece.whole).c_str(), nullptr)));
     if (written.empty()) continue;
     const auto is_product = [&](std::size_t at) {
       return at < pieces.size() &&
@@ -323,9 +329,10 @@ void show_fractions(std::vector<Piece>& pieces) {
     while (behind < pieces.size() && pieces[behind].kind == Kind::space) ++behind;
     const bool in_product = (before > 0 && is_product(before - 1)) || is_product(behind);
     const auto slash = written.find(U'/');
-    const std::u32string above = written.substr(0, slash), below = written.substr(slash + 1);
     // Pieces of their own, so that they are arithmetic
-    std::vector<Piece> fraction{{Kind::number, above}, {Kind::sign, U"/"}, {Kind::number, below}};
+    std::vector<Piece> fraction{{Kind::number, written.substr(0, slash)},
+                                {Kind::sign, U"/"},
+                                {Kind::number, written.substr(slash + 1)}};
     if (in_product) {
       fraction.insert(fraction.begin(), {Kind::open, U"("});
       fraction.push_back({Kind::close, U")"});
@@ -346,9 +353,13 @@ void show_roundings(std::vector<Piece>& pieces) {
 }
 
 /// Commas in numbers; and semicolons between those of a point, which no-break spaces follow.
-void show_commas(std::vector<Piece>& pieces) {
+void show_commas(std::vector<Piece>& pieces, Written& all_written) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (pieces[i].kind == Kind::number) std::ranges::replace(pieces[i].text, U'.', U',');
+    if (pieces[i].kind == Kind::number && pieces[i].text.find(U'.') != pieces[i].text.npos) {
+      std::u32string& written = all_written.emplace_back(pieces[i].text);
+      std::ranges::replace(written, U'.', U',');
+      pieces[i].text = written;
+    }
     if (pieces[i].kind == Kind::comma && i + 1 < pieces.size() && pieces[i + 1].text == U"\u00a0")
       pieces[i].text = U";";
   }
@@ -381,11 +392,14 @@ std::string without_notes(std::string_view text) {
 std::string settled(std::string_view text, NumberStyle style) {
   const bool noted = has_note(text);
   if (!noted && text.find('=') == text.npos && !style.decimal_comma) return std::string(text);
-  std::vector<Piece> pieces = pieces_in(text);
-  if (style.numbers == Numbers::fractions) show_fractions(pieces);
+  const std::u32string characters = code_points(text);
+  Written written;
+  std::vector<Piece> pieces = pieces_in(characters);
+  if (style.numbers == Numbers::fractions) show_fractions(pieces, written);
   show_roundings(pieces);
-  if (style.decimal_comma) show_commas(pieces);
+  if (style.decimal_comma) show_commas(pieces, written);
   std::u32string out;
+  out.reserve(characters.size());
   for (const Piece& piece : pieces) out += piece.text;
   return utf8_of(out);
 }
