@@ -13,6 +13,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import command
 from command import GRADUS, INT32, check, equal, files, gradus, png, read, write
+from share import in_share
 
 MODELS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/models")
 
@@ -300,6 +301,14 @@ def test_long_texts():
 
 
 def test_long_runs():
+    """Of a line and of a fill an ordinary run takes one."""
+    if in_share(0, 2):
+        a_long_line()
+    if in_share(1, 2):
+        a_long_fill()
+
+
+def a_long_line():
     line = ["bresenham_line", "--to", "60000,1"]
     result = gradus("run", *line)
     steps = 50000  # of 100000 events, two per step
@@ -315,6 +324,9 @@ def test_long_runs():
     equal(read("far-55000.svg"), read("far.svg"), "a far step alone and in a series")
     gradus("again", "far.svg")
     equal(read("far-again.svg"), read("far.svg"), "a far step again")
+
+
+def a_long_fill():
     write("big.png", png(250, 250, lambda x, y: 128))
     fill = ["flood_fill", "--image", "big.png", "--method", "depth_first"]
     result = gradus("run", *fill, "--steps", "55000-55001")

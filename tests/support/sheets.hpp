@@ -13,6 +13,7 @@
 #include "figure/figure.hpp"
 #include "figure/layout/layout.hpp"
 #include "support/example_traces.hpp"
+#include "support/share.hpp"
 
 namespace gradus::test {
 
@@ -117,11 +118,13 @@ inline const std::vector<Trace>& shared_traces() {
   return traces;
 }
 
-/// Calls f(figure, index) or f(figure) for up to `most` steps of every telling trace, evenly spread.
+/// Calls f(figure, index) or f(figure) for up to `most` steps of every telling trace, evenly spread; an
+/// ordinary run for one trace in `parts`, others in another `walk`.
 template <class F>
-std::size_t for_each_figure(F f, std::size_t most) {
-  std::size_t count = 0;
+std::size_t for_each_figure(F f, std::size_t most, std::size_t parts = 1, std::size_t walk = 0) {
+  std::size_t count = 0, next = walk;
   for (const Trace& trace : shared_traces()) {
+    if (!in_share(next++, parts)) continue;
     SCOPED_TRACE(trace.topic + " " + trace.method + " " + trace.subtitle);
     Playhead playhead(trace);
     const std::size_t stride = std::max<std::size_t>(1, (trace.steps.size() + most - 1) / most);
@@ -141,10 +144,11 @@ std::size_t for_each_figure(F f, std::size_t most) {
 
 /// The same with f(trace, sheet, index), the figures laid out.
 template <class F>
-std::size_t for_each_sheet(F f, const Look& look = {}, std::size_t most = 40) {
+std::size_t for_each_sheet(F f, const Look& look = {}, std::size_t most = 40, std::size_t parts = 1,
+                           std::size_t walk = 0) {
   return for_each_figure(
       [&](const Figure& figure, std::size_t i) { f(*figure.trace, lay_out(figure, look), i); },
-      thinned(most, 4));
+      thinned(most, 4), parts, walk);
 }
 
 }  // namespace gradus::test

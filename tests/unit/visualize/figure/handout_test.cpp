@@ -60,7 +60,7 @@ std::size_t for_each_page(F f) {
       for (int rows = 1; rows <= PageGrid::most_rows; ++rows) {
         for (const Trace& trace : test::shared_traces()) {
           const std::size_t next = looked_at++;
-          if (test::sanitized ? next % 23 != 0 : !test::in_share(next, 5))
+          if (test::sanitized ? next % 23 != 0 : !test::in_share(next, 7))
             continue;  // prime to the number of grids
           SCOPED_TRACE(fmt::format("{} {}x{}: {} {} {}", paper, columns, rows, trace.topic, trace.method,
                                    trace.subtitle));
@@ -167,7 +167,7 @@ TEST(Handout, IsLegibleApartAndInItsBoxes) {
     test::expect_texts_apart(sheet);
     nothing_leaves_its_box(sheet);
   });
-  EXPECT_GT(sheets, test::sanitized ? 2000 / 23 : test::share_of(2000, 5));
+  EXPECT_GT(sheets, test::sanitized ? 2000 / 23 : test::share_of(2000, 7));
 }
 
 TEST(Handout, SmallGridsAreShownWholeInTheUsualBoxes) {
