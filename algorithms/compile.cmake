@@ -48,9 +48,9 @@ function(gradus_anchor_of header output)
 endfunction()
 
 # Compiles each of these headers (paths from `root`, its include folder) as the only include of a file: by the target
-# headers_alone, and a share of them, of which ./bootstrap takes another with each commit, by headers_alone_0 to _5.
+# headers_alone, and a share of them, of which ./bootstrap takes another with each commit, by headers_alone_0 to _8.
 add_custom_target(headers_alone)
-foreach(share RANGE 5)
+foreach(share RANGE 8)
   add_custom_target(headers_alone_${share})
 endforeach()
 set_property(GLOBAL PROPERTY gradus_next_share 0)
@@ -71,7 +71,7 @@ function(gradus_check_headers target root link)
       add_dependencies(headers_alone ${checks})
       get_property(share GLOBAL PROPERTY gradus_next_share)
       add_dependencies(headers_alone_${share} ${checks})
-      math(EXPR share "(${share} + 1) % 6")
+      math(EXPR share "(${share} + 1) % 9")
       set_property(GLOBAL PROPERTY gradus_next_share ${share})
     endif()
     target_sources(${checks} PRIVATE ${source})
