@@ -64,9 +64,8 @@ std::string themes_json() {
 std::vector<std::pair<std::string, std::string>> page_words(const Language& language,
                                                             std::string_view section) {
   std::vector<std::pair<std::string, std::string>> out;
-  for (const auto& [key, text] : language.texts()) {
-    if (key.starts_with(section)) out.emplace_back("say " + key.substr(section.size()), escaped(text));
-  }
+  for (const auto& [key, text] : language.texts(section))
+    out.emplace_back("say " + key.substr(section.size()), escaped(text));
   return out;
 }
 
@@ -74,10 +73,8 @@ std::string said_words(const Language& language, std::initializer_list<std::stri
   std::vector<std::string> out{fmt::format("\"step\":{}", json_quoted(language.text("figure.step"))),
                                fmt::format("\"faulty\":{}", json_quoted(language.text("figure.faulty")))};
   for (const std::string_view section : sections) {
-    for (const auto& [key, text] : language.texts()) {
-      if (key.starts_with(section))
-        out.push_back(fmt::format("{}:{}", json_quoted(key.substr(section.size())), json_quoted(text)));
-    }
+    for (const auto& [key, text] : language.texts(section))
+      out.push_back(fmt::format("{}:{}", json_quoted(key.substr(section.size())), json_quoted(text)));
   }
   return fmt::format("{{{}}}", fmt::join(out, ",\n"));
 }

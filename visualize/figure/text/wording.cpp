@@ -3,7 +3,6 @@
 #include <fmt/args.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <set>
 
@@ -11,15 +10,7 @@
 
 namespace gradus {
 
-std::string_view language_text(std::string_view path);  // made by the build: see figure/text/wording.hpp
-
 namespace {
-
-std::string_view stripped(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// Whether brackets round this make it a symbol: p, dx, x′, but not "0, 1".
 bool is_symbol(std::string_view name) {
@@ -88,43 +79,6 @@ std::string without_places(std::string_view text) {
 
 }  // namespace
 
-Language::Language(std::string code, std::string_view catalogue) : code_(std::move(code)) {
-  std::string section;
-  for (int number = 1; !catalogue.empty(); ++number) {
-    const std::size_t end = std::min(catalogue.find('\n'), catalogue.size());
-    const std::string_view line = stripped(catalogue.substr(0, end));
-    catalogue.remove_prefix(std::min(end + 1, catalogue.size()));
-    if (line.empty() || line.front() == '#') continue;
-    if (line.front() == '[' && line.back() == ']') {
-      section = std::string(line.substr(1, line.size() - 2)) + ".";
-      continue;
-    }
-    const std::size_t equals = line.find('=');
-    const std::string key = section + std::string(stripped(line.substr(0, equals)));
-    const bool readable = equals != std::string_view::npos && equals > 0;
-    const bool is_new = readable && texts_.emplace(key, stripped(line.substr(equals + 1))).second;
-    expects(is_new, "language {}, line {}: expected a new \"key = text\", found {}", code_, number, line);
-  }
-}
-
-const std::string& Language::text(std::string_view key) const {
-  const auto found = texts_.find(key);
-  expects(found != texts_.end(), "language {} has no text {}", code_, key);
-  return found->second;
-}
-
-std::span<const Language> languages() {
-  // Never taken down: their thousands of texts one by one would be a part of a short command's time
-  static const auto& all =
-      *new std::array{Language("en", language_text("en.txt")), Language("de", language_text("de.txt"))};
-  return all;
-}
-
-const Language* find_language(std::string_view code) {
-  const auto found = std::ranges::find(languages(), code, &Language::code);
-  return found == languages().end() ? nullptr : &*found;
-}
-
 Wording::Wording() : language_(&languages().front()) {}
 
 Wording Wording::with(const Language& language) const {
@@ -183,7 +137,7 @@ std::string Wording::fill(std::string_view key, std::span<const NamedText> value
   return filled(key, store);
 }
 
-const std::string& Wording::text(std::string_view key) const {
+std::string_view Wording::text(std::string_view key) const {
   if (!notation_.rows) return language_->text(key);
   std::string of_rows(key);
   of_rows.insert(of_rows.find('.') + 1, "rows.");
@@ -216,11 +170,10 @@ std::vector<std::string> values_in(std::string_view text) {
 }
 
 std::vector<std::string> topic_symbols(std::string_view topic) {
-  const Language::Texts& texts = languages().front().texts();
-  const std::string section = std::string(topic) + ".";
+  const Language::Texts texts = languages().front().texts(std::string(topic) + ".");
   std::set<std::string> names;
-  for (auto at = texts.lower_bound(section); at != texts.end() && at->first.starts_with(section); ++at) {
-    for (std::string& name : symbols_in(at->second)) names.insert(std::move(name));
+  for (const auto& [key, text] : texts) {
+    for (std::string& name : symbols_in(text)) names.insert(std::move(name));
   }
   return {names.begin(), names.end()};
 }

@@ -16,39 +16,15 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "figure/text/language.hpp"  // IWYU pragma: export
 #include "figure/text/notation.hpp"  // IWYU pragma: export
 
 namespace gradus {
-
-class Language {
- public:
-  using Texts = std::map<std::string, std::string, std::less<>>;  ///< by key
-
-  /// Reads a catalogue. Throws ContractViolation naming the line that is wrong.
-  Language(std::string code, std::string_view catalogue);
-
-  const std::string& code() const { return code_; }             ///< "en", as in HTML's lang
-  const std::string& name() const { return text("language"); }  ///< "English", in the language itself
-  /// The template of this key. Throws ContractViolation when there is none: keys stand in our own code.
-  const std::string& text(std::string_view key) const;
-  bool has(std::string_view key) const { return texts_.contains(key); }
-  const Texts& texts() const { return texts_; }
-
- private:
-  std::string code_;
-  Texts texts_;
-};
-
-/// All languages, English first.
-std::span<const Language> languages();
-/// The language of that code, or nullptr.
-const Language* find_language(std::string_view code);
 
 /// A value by the name that a template knows it by: {name}.
 struct NamedText {
@@ -108,7 +84,7 @@ class Wording {
 
  private:
   std::string filled(std::string_view key, fmt::format_args values) const;
-  const std::string& text(std::string_view key) const;
+  std::string_view text(std::string_view key) const;
 
   const Language* language_;
   std::vector<SymbolLabel> labels_;

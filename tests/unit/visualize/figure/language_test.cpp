@@ -5,10 +5,14 @@
 #include <fmt/args.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <thread>
+#include <vector>
 
 #include "figure/text/metrics.hpp"
 #include "stories/topic.hpp"
@@ -49,13 +53,84 @@ TEST(Language, SaysWhichLineIsWrong) {
   EXPECT_NE(message("= Y\n").find("line 1"), std::string::npos);
 }
 
+TEST(Language, ATextStandsOnceInWhicheverSections) {
+  const auto line_of = [](std::string_view catalogue) {
+    try {
+      Language("xx", catalogue);
+    } catch (const std::logic_error& error) {
+      const std::string_view message = error.what();
+      return std::string(message.substr(message.find("line ")).substr(0, 6));
+    }
+    return std::string();
+  };
+  EXPECT_EQ(line_of("[a]\none = 1\ntwo = 2\n[b]\none = 1\n[a]\nthree = 3\n"), "");
+  EXPECT_EQ(line_of("[a]\none = 1\ntwo = 2\n[b]\none = 1\n[a]\none = 3\n"), "line 7");
+  EXPECT_EQ(line_of("[a]\nb.one = 1\n[a.b]\none = 2\n"), "line 4");
+  EXPECT_EQ(line_of("a.one = 1\n\n[a]\n# \none = 2\n"), "line 5");
+}
+
+TEST(Language, OutlivesTheCatalogueThatItReadAtOnce) {
+  std::string catalogue = "[a]\none = 1\n";
+  const Language read("xx", catalogue);
+  std::ranges::fill(catalogue, '#');
+  EXPECT_EQ(read.text("a.one"), "1");
+}
+
+TEST(Language, ReadsASectionWhenItIsAsked) {
+  const Language read = Language::read_when_asked("xx", "language = X\n[a]\none = 1\n[b]\nno text\n");
+  EXPECT_EQ(read.name(), "X");
+  EXPECT_EQ(read.text("a.one"), "1");
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_THROW(read.has("b.one"), std::logic_error);
+    EXPECT_THROW(read.texts(), std::logic_error);
+  }
+  EXPECT_EQ(read.texts("a."), (Language::Texts{{"a.one", "1"}}));
+}
+
+TEST(Language, SectionsAndNamesMayHaveDots) {
+  const Language read("xx", "a.top = 1\n[a]\nb.c = 2\nb = 3\n[a.b]\nd = 4\n[ab]\nd = 5\n[a]\nlate = 6\n");
+  const Language::Texts all{{"a.top", "1"}, {"a.b.c", "2"}, {"a.b", "3"},
+                            {"a.b.d", "4"}, {"ab.d", "5"},  {"a.late", "6"}};
+  EXPECT_EQ(read.texts(), all);
+  for (const auto& [key, text] : all) EXPECT_EQ(read.text(key), text);
+  for (const char* key : {"", "a", "a.", ".a", "a.b.", "a.c", "a.b.d.e", "b", "top", "d"})
+    EXPECT_FALSE(read.has(key)) << key;
+  for (const std::string_view start : {"a", "a.", "a.b", "a.b.", "a.b.d", "ab", "a.t", "b", "."}) {
+    Language::Texts some = all;
+    std::erase_if(some, [&](const auto& each) { return !each.first.starts_with(start); });
+    EXPECT_EQ(read.texts(start), some) << start;
+  }
+}
+
+// Threads that ask at once get what one gets that asks alone (and a sanitizer watches).
+TEST(Language, MayBeAskedByManyThreads) {
+  std::string catalogue;
+  for (int section = 0; section < 50; ++section) {
+    catalogue += fmt::format("[s{}]\n", section);
+    for (int text = 0; text < 20; ++text) catalogue += fmt::format("t{} = {}\n", text, section * 20 + text);
+  }
+  const Language read = Language::read_when_asked("xx", catalogue);
+  std::atomic<int> wrong = 0;
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 4; ++thread) {
+    threads.emplace_back([&, thread] {
+      for (int i = 0; i < 1000; ++i) {
+        const int number = (i * 7 + thread * 250) % 1000;
+        wrong += read.text(fmt::format("s{}.t{}", number / 20, number % 20)) != std::to_string(number);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(wrong, 0);
+}
+
 TEST(Language, EnglishIsFirstAndAllHaveNames) {
   ASSERT_GE(languages().size(), 2u);
   EXPECT_EQ(languages().front().code(), "en");
   Names names;
   for (const Language& each : languages()) {
     EXPECT_EQ(find_language(each.code()), &each);
-    names.insert(each.name());
+    names.emplace(each.name());
   }
   EXPECT_EQ(names.size(), languages().size());
   EXPECT_EQ(find_language("tlh"), nullptr);
