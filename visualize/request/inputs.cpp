@@ -186,6 +186,7 @@ class InputReader {
 }  // namespace
 
 const TopicEntry& find_topic(std::string_view word) {
+  if (const TopicEntry* exactly = find_entry(word)) return *exactly;
   // All names and aliases in one list; each points back to its topic
   std::vector<std::string> names;
   std::vector<const TopicEntry*> owners;

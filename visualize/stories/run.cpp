@@ -5,6 +5,9 @@
 #include "stories/topic.hpp"
 
 namespace gradus {
+
+const TopicEntry* entry_in_namespace(std::string_view space);  // made by the build, as catalogue() is
+
 namespace {
 
 std::string method_of(const TopicEntry& topic, std::span<const Argument> given) {
@@ -28,6 +31,8 @@ void require_known(const TopicEntry& topic, std::span<const Argument> given) {
 }  // namespace
 
 const TopicEntry* find_entry(std::string_view name) {
+  // Most topics are called what their namespace is: of these no other entry is made for the search
+  if (const TopicEntry* found = entry_in_namespace(name); found && found->name == name) return found;
   const auto topics = catalogue();
   const auto found = std::ranges::find(topics, name, &TopicEntry::name);
   return found == topics.end() ? nullptr : *found;

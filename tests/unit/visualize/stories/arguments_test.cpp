@@ -485,5 +485,14 @@ TEST(Canonical, WindowsAreFourNumbersTheRightWayRound) {
   EXPECT_FALSE(arguments.window("another"));
 }
 
+// --- Entries -------------------------------------------------------------------------------------
+
+TEST(Entries, AreFoundByExactlyTheirNames) {
+  for (const TopicEntry* topic : catalogue()) EXPECT_EQ(find_entry(topic->name), topic) << topic->name;
+  EXPECT_EQ(find_entry("textbook_chain"), nullptr) << "the namespace of the story of pipeline";
+  for (const char* name : {"", "line", "Bresenham line", "bresenham", "bresenham_line_"})
+    EXPECT_EQ(find_entry(name), nullptr) << name;
+}
+
 }  // namespace
 }  // namespace gradus
