@@ -9,6 +9,7 @@
 #include <jerror.h>
 #include <jpeglib.h>
 
+#include "cairo/library_on_demand.hpp"
 #include "core/shown.hpp"
 
 namespace gradus {
@@ -16,43 +17,61 @@ namespace {
 
 static_assert(sizeof(Rgba8) == 4, "rows of an Image are handed to libjpeg as bytes");
 
+/// libjpeg's functions, loaded by the first such picture.
+struct JpegLibrary {
+  LibraryOnDemand library{GRADUS_JPEG, "JPEG pictures"};
+  GRADUS_ON_DEMAND(jpeg_CreateDecompress);  // what jpeg_create_decompress calls
+  GRADUS_ON_DEMAND(jpeg_destroy_decompress);
+  GRADUS_ON_DEMAND(jpeg_finish_decompress);
+  GRADUS_ON_DEMAND(jpeg_mem_src);
+  GRADUS_ON_DEMAND(jpeg_read_header);
+  GRADUS_ON_DEMAND(jpeg_read_scanlines);
+  GRADUS_ON_DEMAND(jpeg_start_decompress);
+  GRADUS_ON_DEMAND(jpeg_std_error);
+};
+
+const JpegLibrary& jpeg() {
+  static const JpegLibrary functions;
+  return functions;
+}
+
 /// libjpeg reading one file. Its functions tell of errors by a call that must not return: here that is a jump
 /// back to where this class called them, so that no function that makes such calls has anything to clean up.
 class Decompression {
  public:
   explicit Decompression(std::span<const std::uint8_t> bytes) {
-    info_.err = jpeg_std_error(&errors_);
+    info_.err = jpeg_.jpeg_std_error(&errors_);
     errors_.error_exit = [](j_common_ptr info) { of(info).stop(); };
     errors_.emit_message = [](j_common_ptr info, int level) { of(info).take(level); };
     progress_.progress_monitor = [](j_common_ptr info) { of(info).check_scans(); };
     info_.client_data = this;
     if (setjmp(escape_) != 0) return;
-    jpeg_create_decompress(&info_);
+    jpeg_.jpeg_create_decompress(&info_);
     info_.client_data = this;  // which creation forgets
     info_.progress = &progress_;
-    jpeg_mem_src(&info_, bytes.data(), static_cast<unsigned long>(bytes.size()));
+    jpeg_.jpeg_mem_src(&info_, bytes.data(), static_cast<unsigned long>(bytes.size()));
     ready_ = true;
   }
-  ~Decompression() { jpeg_destroy_decompress(&info_); }
+  ~Decompression() { jpeg_.jpeg_destroy_decompress(&info_); }
   Decompression(const Decompression&) = delete;
   Decompression& operator=(const Decompression&) = delete;
 
   /// Reads up to the picture: its size and colours are known then. Each of these says whether it went well.
   bool read_header() {
     if (!ready_ || setjmp(escape_) != 0) return false;
-    jpeg_read_header(&info_, TRUE);
+    jpeg_.jpeg_read_header(&info_, TRUE);
     return true;
   }
   bool read_pixels(Image& image) {
     if (setjmp(escape_) != 0) return false;
     info_.out_color_space = JCS_EXT_RGBA;
-    jpeg_start_decompress(&info_);
+    jpeg_.jpeg_start_decompress(&info_);
     while (info_.output_scanline < info_.output_height) {
       auto* row = reinterpret_cast<JSAMPLE*>(image.row(static_cast<int>(info_.output_scanline)).data());
-      jpeg_read_scanlines(&info_, &row, 1);
+      jpeg_.jpeg_read_scanlines(&info_, &row, 1);
     }
     const bool all = has_all_scans();
-    jpeg_finish_decompress(&info_);
+    jpeg_.jpeg_finish_decompress(&info_);
     return all || !ended_early_;
   }
 
@@ -102,6 +121,7 @@ class Decompression {
     return true;
   }
 
+  const JpegLibrary& jpeg_ = jpeg();
   jpeg_decompress_struct info_{};
   jpeg_error_mgr errors_{};
   jpeg_progress_mgr progress_{};
