@@ -74,7 +74,7 @@ class InstallConsumer(unittest.TestCase):
         rules = (project.BUILD / "cmake_install.cmake").read_text(encoding="utf-8")
         self.assertLess(rules.index("before_installing.cmake"), rules.index("file(INSTALL"))
         for component, missing in (("command", "gradus"), ("library", "libgradus_core.a"), ("", "gradus"),
-                                   ("", "libgradus_sutherland_hodgman.a")):
+                                   ("", "libgradus_area_sampling.a")):
             with self.subTest(component=component, missing=missing), tempfile.TemporaryDirectory() as name:
                 copy = pathlib.Path(name) / "before.cmake"
                 copy.write_text(script.replace(f"{project.BUILD}/{missing}", f"{name}/{missing}"), encoding="utf-8")

@@ -118,7 +118,8 @@ def test_same_answers():
     paths = {topic["name"]: f'{topic["chapter"]}/{topic["name"]}/{topic["name"]}.hpp' for topic in topics()}
     ours = [f'#include "{paths[name]}"' for name in COMPARED]
     ours += ['#include "core/random.hpp"', '#include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"',
-             '#include "scan_conversion/bresenham_circle/bresenham_circle_window.hpp"']
+             '#include "scan_conversion/bresenham_circle/bresenham_circle_window.hpp"',
+             '#include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"']
     everything = sorted(set().union(*(includes(headers[name]) for name in COMPARED)))
     write("same.cpp", PROGRAM % ("\n".join(everything + ours), "\n".join(f'#include "{name}.hpp"' for name in COMPARED)))
     print(f"seed {SEED}")

@@ -106,6 +106,13 @@ inline void clip_polygon(Dice& dice, Answers& to) {
     polygon.push_back(way * (dice.whole(1, 64) / 8.0));
   const Rectangle<double> window{{-4, -3}, {4, 3}};
   for (const auto& vertex : sutherland_hodgman::clip_to_window(polygon, window)) keep(to, vertex.at);
+  sutherland_hodgman::Polygons<float> floats, clipped;
+  floats.add(std::vector<glm::vec2>(polygon.begin(), polygon.end()));
+  floats.add(
+      std::vector<glm::vec2>{glm::vec2(dice.place()), glm::vec2(dice.place()), glm::vec2(dice.place())});
+  sutherland_hodgman::BatchClipper<float>{}(floats, {{-4, -3}, {4, 3}}, clipped);
+  for (const std::uint32_t end : clipped.ends) keep(to, double(end));
+  for (const glm::vec2 p : clipped.points) keep(to, dvec2(p));
   for (const auto& ring : polygon_circle::arcs(polygon, Circle<double>{{0.5, 0.25}, 5}).rings) {
     for (const auto& corner : ring) keep(to, corner.at), keep(to, corner.arc + 2.0 * corner.more_than_half);
   }

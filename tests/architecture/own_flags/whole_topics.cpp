@@ -1,5 +1,6 @@
 // Topics whole, for own_flags_test.py: polygons, which come out right by what is never lost, their area, and
 // plain formulas, whose bounds hold whether or not a compiler fuses a product with a sum.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -9,6 +10,7 @@
 #include "clipping/liang_barsky/liang_barsky.hpp"
 #include "clipping/polygon_circle/polygon_circle.hpp"
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
 #include "modeling/ear_clipping/ear_clipping.hpp"
 #include "projection/parallel/parallel.hpp"
 #include "projection/perspective/perspective.hpp"
@@ -37,6 +39,45 @@ double doubled_area(std::span<const dvec2> corners) {
     sum += a.x * b.y - a.y * b.x;
   }
   return sum;
+}
+
+// Where an edge between floats crosses x = c is the nearest float to the exact place: the sign of that less
+// the middle between two floats tells
+void expect_nearest(float y, glm::vec2 a, glm::vec2 b, float c, int round) {
+  for (const float beside : {std::nextafter(y, -INFINITY), std::nextafter(y, INFINITY)}) {
+    const double middle = (double{y} + double{beside}) / 2;
+    const int side = orient2d_exact(dvec2(a), dvec2(b), {c, middle}) * (a.x < b.x ? -1 : 1);
+    expect(beside < y ? side >= 0 : side <= 0, "a batch of floats rounds to nearest", round);
+  }
+}
+
+// Triangles of floats whose first corner alone lies inside the left border, in a batch
+void batches_of_floats() {
+  Random random(11);
+  const auto number = [&random](double least, double most) {
+    return static_cast<float>(random.uniform(least, most));
+  };
+  const Rectangle<float> window{{-1, -10}, {10, 10}};
+  sh::Polygons<float> given, clipped;
+  for (int i = 0; i < 20000; ++i) {
+    std::vector<glm::vec2> triangle;
+    for (const double right : {9, -2, -2}) triangle.push_back({number(right - 7, right), number(-8, 8)});
+    triangle[0].x = std::abs(triangle[0].x);
+    given.add(triangle);
+  }
+  sh::BatchClipper<float> clip;
+  clip(given, window, clipped);
+  for (int i = 0; i < 20000; ++i) {
+    const auto p = given[std::size_t(i)], found = clipped[std::size_t(i)];
+    const auto right = sh::clip_to_window(p, window);
+    expect(found.size() == right.size(), "a batch of floats", i);
+    for (std::size_t k = 0; k < std::min(found.size(), right.size()); ++k) {
+      expect(same(dvec2(found[k]), dvec2(right[k].at)), "a batch of floats", i);
+    }
+    if (found.size() != 3) continue;  // both cuts in one place
+    expect_nearest(found[0].y, p[2], p[0], -1, i);
+    expect_nearest(found[2].y, p[0], p[1], -1, i);
+  }
 }
 
 void polygons() {
@@ -133,6 +174,7 @@ void plain_formulas() {
 
 int main() {
   polygons();
+  batches_of_floats();
   plain_formulas();
   return report();
 }

@@ -8,13 +8,17 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <cmath>
+#include <concepts>
 #include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "benchmark/subject.hpp"
@@ -37,45 +41,59 @@ using glm::dvec2;
 using Ring = std::vector<dvec2>;
 using Pieces = std::vector<Ring>;
 
-const Rectangle<double> window{{0, 0}, {1, 1}};
+template <class T>
+const Rectangle<T> window{{0, 0}, {1, 1}};
 const std::vector<int> order{0, 1, 2, 3};
 constexpr double pi = 0x1.921fb54442d18p1;
 
-/// Polygons, and what is right of each: the vertices correctly rounded and the exact area, rounded once.
+/// Polygons, and what is right of the first of them: the vertices correctly rounded and the exact area,
+/// rounded once.
+template <class T>
 struct Set {
-  sh::Polygons polygons;
+  sh::Polygons<T> polygons;
   std::vector<Ring> vertices;
   std::vector<double> areas;
 };
 
-/// 300 star-shaped polygons of `least` to `most` vertices: inside the window, most of them across its border,
-/// outside, or of all three kinds.
-const Set& set_of(const std::string& mix, int least, int most) {
-  static std::map<std::tuple<std::string, int, int>, Set> made;
+/// How many polygons are compared with what is right.
+constexpr int compared = 300;
+
+/// Star-shaped polygons of `least` to `most` vertices: inside the window, most of them across its border,
+/// across all four of its borders, outside, or of the first, the second and the last kind. Or vertices from
+/// anywhere in and round the window.
+template <class T>
+const Set<T>& set_of(const std::string& mix, int least, int most, int polygons) {
+  static std::map<std::tuple<std::string, int, int>, Set<T>> made;
   const auto [place, added] = made.try_emplace({mix, least, most});
-  Set& set = place->second;
+  Set<T>& set = place->second;
   if (!added) return set;
   Random random(1);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < polygons; ++i) {
     const char* const kinds[] = {"inside", "crossing", "outside"};
     const std::string kind = mix == "all three" ? kinds[i % 3] : mix;
     const auto vertices = static_cast<int>(random.uniform_int(least, most));
-    const double size = kind == "crossing" ? random.uniform(0.1, 0.8) : random.uniform(0.02, 0.1);
+    double size = kind == "crossing" ? random.uniform(0.1, 0.8) : random.uniform(0.02, 0.1);
     dvec2 centre{random.uniform(0.11, 0.89), random.uniform(0.11, 0.89)};
     const auto axis = static_cast<int>(random.uniform_int(0, 1));
     const bool high = random.uniform_int(0, 1) == 1;
     if (kind == "crossing") centre[axis] = high ? 1 : 0;
     if (kind == "outside") centre[axis] = high ? 1.2 : -0.2;
-    Ring points;
+    if (kind == "all borders") size = 1.5, centre = dvec2(0.5);
+    std::vector<glm::vec<2, T>> points;
     for (int k = 0; k < vertices; ++k) {
       const SinCos at = sin_cos(2 * pi * k / vertices);
-      points.push_back(centre + size * random.uniform(0.3, 1) * dvec2(at.cos, at.sin));
+      dvec2 p = centre + size * random.uniform(0.3, 1) * dvec2(at.cos, at.sin);
+      if (kind == "anywhere") p = {random.uniform(-1, 2), random.uniform(-1, 2)};
+      points.emplace_back(p);
     }
     set.polygons.add(points);
-    const auto exact = stress::window_polygons::exact_part(points, window, order);
-    std::ranges::transform(exact, std::back_inserter(set.vertices.emplace_back()),
-                           stress::window_polygons::rounded);
-    set.areas.push_back(static_cast<double>(stress::window_polygons::area_in(points, window)));
+    if (i >= compared) continue;
+    const Ring given(points.begin(), points.end());
+    const auto exact = stress::window_polygons::exact_part(given, window<double>, order);
+    std::ranges::transform(exact, std::back_inserter(set.vertices.emplace_back()), [](const auto& p) {
+      return dvec2(glm::vec<2, T>(stress::window_polygons::rounded(p)));
+    });
+    set.areas.push_back(static_cast<double>(stress::window_polygons::area_in(given, window<double>)));
   }
   return set;
 }
@@ -89,10 +107,15 @@ double area(const Ring& ring) {
   return doubled / 2;
 }
 
-double ulp(double x) { return std::nextafter(std::abs(x), 2.0) - std::abs(x); }
+template <class T>
+double ulp(T x) {
+  return std::nextafter(std::abs(x), T(2)) - std::abs(x);
+}
 
-/// Vertices beside the nearest right one, in the last place of its larger coordinate; areas that are wrong.
-Error error_of(const Set& set, const std::function<Pieces(std::size_t)>& pieces_of) {
+/// Vertices beside the nearest right one, in the last place of its larger coordinate, beside (0, 0) in that
+/// of 1; areas that are wrong.
+template <class T>
+Error error_of(const Set<T>& set, const std::function<Pieces(std::size_t)>& pieces_of) {
   Error::Sum sum;
   for (std::size_t i = 0; i < set.areas.size(); ++i) {
     double own = 0;
@@ -103,52 +126,129 @@ Error error_of(const Set& set, const std::function<Pieces(std::size_t)>& pieces_
         const auto nearest = std::ranges::min_element(right, {}, [&](dvec2 v) { return glm::length(v - p); });
         if (nearest == right.end()) continue;
         const dvec2 miss = glm::abs(*nearest - p), size = glm::abs(*nearest);
-        sum.add(std::max(miss.x, miss.y) / ulp(std::max(size.x, size.y)));
+        const double larger = std::max(size.x, size.y);
+        sum.add(std::max(miss.x, miss.y) / ulp(static_cast<T>(larger > 0 ? larger : 1)));
       }
     }
-    if (std::abs(own - set.areas[i]) > 1e-9) sum.wrong_decision();
+    constexpr double rounding = std::same_as<T, float> ? 1e-5 : 1e-9;
+    if (std::abs(own - set.areas[i]) > rounding) sum.wrong_decision();
   }
   return sum.error();
 }
 
-void add_cases(std::vector<Case>& cases, const Set& set, const Workload& workload) {
-  const auto add = [&](const char* name, Standing standing, std::function<void()> run,
-                       const std::function<Pieces(std::size_t)>& pieces_of) {
-    cases.push_back({.method = name,
-                     .standing = standing,
-                     .workload = workload,
-                     .items = static_cast<std::int64_t>(set.polygons.points.size()),
-                     .run = std::move(run),
-                     .error = error_of(set, pieces_of)});
-  };
-  // Methods that take one polygon and give one ring of vertices
-  const auto add_each = [&](const char* name, Standing standing, auto one) {
-    const auto kept = std::make_shared<decltype(one(set.polygons[0]))>();
+/// What the batch is measured with: the textbook's loop as one writes it to be quick, in the numbers as they
+/// are, in two buffers that are used again.
+template <class T>
+class PlainLoop {
+ public:
+  using Point = glm::vec<2, T>;
+
+  const std::vector<Point>& operator()(std::span<const Point> points) {
+    from_.assign(points.begin(), points.end());
+    pass([](Point p) { return p.x - window<T>.lower.x; });
+    pass([](Point p) { return window<T>.upper.x - p.x; });
+    pass([](Point p) { return p.y - window<T>.lower.y; });
+    pass([](Point p) { return window<T>.upper.y - p.y; });
+    return from_;
+  }
+
+ private:
+  template <class Distance>
+  void pass(Distance inside_by) {
+    to_.clear();
+    if (from_.empty()) return;
+    Point last = from_.back();
+    T was = inside_by(last);
+    for (const Point now : from_) {
+      const T is = inside_by(now);
+      if ((was < 0) != (is < 0)) to_.push_back(last + was / (was - is) * (now - last));
+      if (is >= 0) to_.push_back(now);
+      last = now;
+      was = is;
+    }
+    std::swap(from_, to_);
+  }
+
+  std::vector<Point> from_, to_;
+};
+
+/// Gathers the methods of a set.
+template <class T>
+class Methods {
+ public:
+  using Points = std::span<const glm::vec<2, T>>;
+
+  Methods(std::vector<Case>& cases, const Set<T>& set, Workload workload)
+      : cases_(cases), set_(set), workload_(std::move(workload)) {}
+
+  void add(const char* name, Standing standing, std::function<void()> run,
+           const std::function<Pieces(std::size_t)>& pieces_of) {
+    cases_.push_back({.method = name,
+                      .standing = standing,
+                      .workload = workload_,
+                      .items = static_cast<std::int64_t>(set_.polygons.points.size()),
+                      .run = std::move(run),
+                      .error = error_of(set_, pieces_of)});
+  }
+  /// One that takes a polygon and gives a ring of vertices.
+  template <class One>
+  void add_each(const char* name, Standing standing, One one) {
+    const auto kept = std::make_shared<decltype(one(set_.polygons[0]))>();
     add(
         name, standing,
-        [one, kept, &set] {
+        [one, kept, &set = set_] {
           for (std::size_t i = 0; i < set.polygons.size(); ++i) *kept = one(set.polygons[i]);
         },
         [&](std::size_t i) {
           Ring ring;
-          for (const auto& v : one(set.polygons[i])) ring.push_back(v.at);
+          for (const auto& v : one(set_.polygons[i])) ring.emplace_back(v.at);
           return Pieces{ring};
         });
-  };
-  add_each("cut_of_a_cut", Standing::taught, [](std::span<const dvec2> points) {
-    return sh::by_passes(sh::Task<double>{points, window, order},
+  }
+  /// The loop and the batch, and one at a time: what both types of numbers have.
+  void add_quick_ones() {
+    const auto loop = std::make_shared<PlainLoop<T>>();
+    add(
+        "plain loop", Standing::taught,
+        [loop, &set = set_] {
+          for (std::size_t i = 0; i < set.polygons.size(); ++i) (*loop)(set.polygons[i]);
+        },
+        [&](std::size_t i) {
+          const auto& ring = (*loop)(set_.polygons[i]);
+          return Pieces{Ring(ring.begin(), ring.end())};
+        });
+    add_each("clip_to_window", Standing::robust, [](Points points) {
+      return sh::clip_to_window(points, window<T>, std::span<const int>(order));
+    });
+    const auto clip = std::make_shared<sh::BatchClipper<T>>();
+    const auto result = std::make_shared<sh::Polygons<T>>();
+    (*clip)(set_.polygons, window<T>, *result);
+    add(
+        "BatchClipper", Standing::batch,
+        [clip, result, &set = set_] { (*clip)(set.polygons, window<T>, *result); },
+        [&](std::size_t i) { return Pieces{Ring((*result)[i].begin(), (*result)[i].end())}; });
+  }
+
+ private:
+  std::vector<Case>& cases_;
+  const Set<T>& set_;
+  Workload workload_;
+};
+
+void add_cases(std::vector<Case>& cases, const Set<double>& set, const Workload& workload) {
+  Methods<double> methods(cases, set, workload);
+  methods.add_each("cut_of_a_cut", Standing::taught, [](std::span<const dvec2> points) {
+    return sh::by_passes(sh::Task<double>{points, window<double>, order},
                          [](auto polygon, auto border) { return sh::cut_of_a_cut(polygon, border); });
   });
-  add_each("clip_to_window", Standing::robust, [](std::span<const dvec2> points) {
-    return sh::clip_to_window(points, window, std::span<const int>(order));
-  });
+  methods.add_quick_ones();
   const auto separate = [](std::span<const dvec2> points) {
     const std::vector<Ring> rings{{points.begin(), points.end()}};
-    return sh::separate_pieces(sh::Rings<double>(std::span<const Ring>(rings)), window,
+    return sh::separate_pieces(sh::Rings<double>(std::span<const Ring>(rings)), window<double>,
                                std::span<const int>(order));
   };
   const auto last = std::make_shared<decltype(separate(set.polygons[0]))>();
-  add(
+  methods.add(
       "separate_pieces", Standing::robust,
       [separate, last, &set] {
         for (std::size_t i = 0; i < set.polygons.size(); ++i) *last = separate(set.polygons[i]);
@@ -161,12 +261,6 @@ void add_cases(std::vector<Case>& cases, const Set& set, const Workload& workloa
         }
         return pieces;
       });
-  const auto clip = std::make_shared<sh::BatchClipper>();
-  const auto result = std::make_shared<sh::Polygons>();
-  (*clip)(set.polygons, window, *result);
-  add(
-      "BatchClipper", Standing::batch, [clip, result, &set] { (*clip)(set.polygons, window, *result); },
-      [&](std::size_t i) { return Pieces{Ring((*result)[i].begin(), (*result)[i].end())}; });
   // Polygons in Boost's own form are made before the clock starts
   const auto given = std::make_shared<std::vector<BoostPolygon>>();
   for (std::size_t i = 0; i < set.polygons.size(); ++i) {
@@ -178,7 +272,7 @@ void add_cases(std::vector<Case>& cases, const Set& set, const Workload& workloa
     bg::intersection((*given)[i], bg::model::box<BoostPoint>({0, 0}, {1, 1}), pieces);
   };
   const auto found = std::make_shared<std::vector<BoostPolygon>>();
-  add(
+  methods.add(
       "Boost.Geometry", Standing::peer,
       [by_boost, found, given] {
         for (std::size_t i = 0; i < given->size(); ++i) by_boost(i, *found);
@@ -196,11 +290,20 @@ void add_cases(std::vector<Case>& cases, const Set& set, const Workload& workloa
 
 std::vector<Case> cases() {
   std::vector<Case> all;
-  for (const char* mix : {"inside", "crossing", "outside", "all three"}) {
-    add_cases(all, set_of(mix, 4, 16), {mix});
+  // So many that a machine doesn't learn where each of them is cut
+  constexpr int many = 3000;
+  for (const char* mix : {"inside", "crossing", "all borders", "anywhere", "outside", "all three"}) {
+    const Set<double>& set = set_of<double>(mix, 4, 16, many);
+    // Those that cross themselves are no input for the others
+    if (mix == std::string("anywhere")) {
+      Methods<double>(all, set, {mix}).add_quick_ones();
+    } else {
+      add_cases(all, set, {mix});
+    }
+    Methods<float>(all, set_of<float>(mix, 4, 16, many), {fmt::format("{}, floats", mix)}).add_quick_ones();
   }
   for (const int vertices : {4, 16, 64, 256}) {
-    add_cases(all, set_of("crossing", vertices, vertices),
+    add_cases(all, set_of<double>("crossing", vertices, vertices, compared),
               {fmt::format("{} vertices", vertices), static_cast<double>(vertices)});
   }
   return all;

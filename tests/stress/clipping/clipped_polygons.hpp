@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
-#include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "stress/clipping/window_polygons.hpp"
@@ -319,53 +318,6 @@ inline double turned_error(const Input& i) {
   };
   const Points points = points_in(i, 4, corners);
   return sorted(points) == sorted({points.rbegin(), points.rend()}) ? 0 : wrong;
-}
-
-// --- Many at once ---
-
-/// The polygon, others beside it, and none.
-inline Polygons batch_of(const Input& i) {
-  const Points points = points_in(i, 4, corners), back(points.rbegin(), points.rend());
-  Points half = points;
-  for (dvec2& p : half) p = 0.5 * p + 0.5 * points[0];
-  Polygons given;
-  for (const Points& one : {points, back, Points{}, half, points}) given.add(one);
-  return given;
-}
-
-/// How many vertices of a batch differ from those of clip_to_window.
-inline double batch_error(const Input& i) {
-  if (!order_in(i.back())) return 0;
-  const Polygons given = batch_of(i);
-  Polygons clipped;
-  BatchClipper clip;
-  BatchCount count;
-  try {
-    count = clip(given, rectangle_of(i), clipped);
-  } catch (const ContractViolation&) {
-    return rectangle_is_taken(i) ? wrong : 0;
-  }
-  if (!rectangle_is_taken(i)) return wrong;
-  if (clipped.size() != given.size()) return wrong;
-  if (count.copied + count.dropped + count.clipped != given.size()) return wrong;
-  double differ = 0;
-  for (std::size_t k = 0; k < given.size(); ++k) {
-    const Vertices right = clip_to_window(given[k], rectangle_of(i));
-    if (clipped[k].size() != right.size()) return wrong;
-    for (std::size_t v = 0; v < right.size(); ++v) {
-      const dvec2 p = clipped[k][v], q = right[v].at;
-      differ += p != q || std::signbit(p.x) != std::signbit(q.x) || std::signbit(p.y) != std::signbit(q.y);
-    }
-  }
-  return differ;
-}
-/// A share of what becomes of batches.
-inline Share batch_share(const char* of, double least, std::size_t BatchCount::* part) {
-  return {of, least, [part](const Input& i) {
-            if (!rectangle_is_taken(i)) return false;
-            Polygons clipped;
-            return BatchClipper{}(batch_of(i), rectangle_of(i), clipped).*part > 0;
-          }};
 }
 
 }  // namespace gradus::stress::clipped_polygons

@@ -12,7 +12,6 @@
 #include <set>
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
-#include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_homogeneous.hpp"
 #include "core/arithmetic/elementary.hpp"
 #include "core/arithmetic/exact_scalar.hpp"
@@ -20,6 +19,7 @@
 #include "core/geometry.hpp"
 #include "stress/clipping/clipped_pieces.hpp"
 #include "stress/clipping/clipped_polygons.hpp"
+#include "stress/clipping/polygon_batches.hpp"
 #include "stress/last.hpp"
 #include "stress/numbers.hpp"
 #include "stress/scales.hpp"
@@ -29,6 +29,7 @@ namespace gradus::stress {
 namespace {
 
 using namespace clipped_pieces;
+using namespace polygon_batches;
 
 // --- Crossings of lines ---
 
@@ -305,11 +306,27 @@ Property polygons_in_convex_windows() {
   property.shares = {{"is a window", 0.4, [](const Input& i) { return oblique_in(i).has_value(); }}};
   return measured(property, "ulp", 0.5);
 }
+template <class T>
+std::vector<Share> batch_shares() {
+  return {batch_share<T>("copies polygons", 0.01, &BatchCount::copied),
+          batch_share<T>("drops polygons", 0.05, &BatchCount::dropped),
+          batch_share<T>("clips polygons", 0.25, &BatchCount::clipped)};
+}
 Property batches() {
-  Property property = of_rectangles("batch", "the bits of clip_to_window, polygon by polygon", batch_error);
-  property.shares = {batch_share("copies polygons", 0.01, &BatchCount::copied),
-                     batch_share("drops polygons", 0.05, &BatchCount::dropped),
-                     batch_share("clips polygons", 0.25, &BatchCount::clipped)};
+  Property property =
+      of_rectangles("batch", "the bits of clip_to_window, polygon by polygon", batch_error<double>);
+  property.shares = batch_shares<double>();
+  return measured(property, "vertices", 0);
+}
+Property batches_of_floats() {
+  Property property = promise("batch_of_floats",
+                              "the same in floats, and the vertices of the exact polygon, each the nearest "
+                              "float, also midway between two",
+                              float_numbers, floats_input, float_batch_error);
+  property.arguments = [](const Input& i) { return rectangle_arguments(i, "border_by_border"); };
+  property.traps = rectangle_traps();
+  for (Trap& trap : property.traps) trap.input.pop_back();
+  property.shares = batch_shares<float>();
   return measured(property, "vertices", 0);
 }
 Property pieces() {
@@ -413,7 +430,7 @@ Domain sutherland_hodgman() {
   return {"sutherland_hodgman",
           {polygons_in_rectangles(), polygons_in_convex_windows(),
            of_rectangles("turned", "the other way round gives the same places", turned_error), batches(),
-           pieces(), areas(), parts(), touching_rings(), lines(), planes(), volumes()}};
+           batches_of_floats(), pieces(), areas(), parts(), touching_rings(), lines(), planes(), volumes()}};
 }
 
 }  // namespace gradus::stress
