@@ -54,16 +54,16 @@ class BatchClipper {
                                 Polygons<T>& result) {
     if (points.size() < 3) return add_checked(points, &BatchCount::dropped, result);
     const detail::Reach<T> reach = detail::reach_of(points, part_.room_for(points.size()));
-    const bool left = reach.lower.x<window.lower.x, right = reach.upper.x> window.upper.x;
-    const bool bottom = reach.lower.y<window.lower.y, top = reach.upper.y> window.upper.y;
+    const bool crosses_x = (reach.lower.x < window.lower.x) | (reach.upper.x > window.upper.x);
+    const bool crosses_y = (reach.lower.y < window.lower.y) | (reach.upper.y > window.upper.y);
     // Wholly on the outer side of one border, or on the inner side of all?
     if ((reach.upper.x < window.lower.x) | (reach.lower.x > window.upper.x) |
         (reach.upper.y < window.lower.y) | (reach.lower.y > window.upper.y) | !reach.finite) {
       return add_checked(points, &BatchCount::dropped, result);
     }
-    if (!(left | right | bottom | top)) return add_checked(points, &BatchCount::copied, result);
+    if (!(crosses_x | crosses_y)) return add_checked(points, &BatchCount::copied, result);
     if (window.lower.x < window.upper.x && window.lower.y < window.upper.y) {
-      part_.add(points.size(), left | right, bottom | top);
+      part_.add(points.size(), crosses_x, crosses_y);
       if (part_.full()) part_.finish(result);
     } else {
       for (const Vertex<T>& vertex : clip_to_window(points, window)) result.points.push_back(vertex.at);
