@@ -19,7 +19,7 @@ import project
 
 # Names in the lists that are no topics
 OTHERS = {"core", "elementary", "engine", "engine_antialiasing", "engine_colours", "engine_pixels", "engine_triangles", "exact", "exact_areas", "figures",
-          "hidden_surfaces", "pipeline", "plan", "read_obj", "render_antialiasing", "shared", "single_edges",
+          "hidden_surfaces", "pipeline", "plan", "read_obj", "render_antialiasing", "shared", "single_edges", "start",
           "textbook_chain"}
 WITH_TEXT = {".cpp", ".hpp", ".txt", ".md", ".json", ".csv"}
 
