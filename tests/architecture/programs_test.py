@@ -16,7 +16,7 @@ import programs
 import project
 
 TESTS = project.ROOT / "tests"
-STARTS = re.compile(r"\b(?:popen|system|posix_spawnp?|exec[lv][ep]*)\(")
+STARTS = re.compile(r"\b(?:popen|system|posix_spawnp|exec[lv][ep]*)\(")  # posix_spawn asks no PATH
 
 
 def scripts():

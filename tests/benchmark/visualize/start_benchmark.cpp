@@ -30,7 +30,7 @@ void run_to_end(const std::vector<std::string>& words) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   pid_t child = 0;
-  int status = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  int status = posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (status == 0 && waitpid(child, &status, 0) != child) status = -1;
   if (status != 0) throw std::runtime_error(fmt::format("{} can't be run", words[0]));
