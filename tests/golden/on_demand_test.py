@@ -71,8 +71,7 @@ def test_each_is_loaded_by_what_needs_it_or_missed_in_one_line():
         result = gradus(*words, env={"LD_LIBRARY_PATH": f"{os.getcwd()}/{found[0]}"})
         check(result.code == 1 and result.err.startswith(f"gradus: {purpose} need") and found[0] in result.err
               and "file too short" in result.err and result.err.count("\n") == 1, f"{words}: {result.code} {result.err}")
-        if words[0] != "figures":  # whose pages come behind the figures that they show
-            equal(files(), before, f"{words}: nothing is written")
+        equal(files(), before, f"{words}: nothing is written")
 
 
 sys.exit(command.run_all(globals()))

@@ -323,6 +323,8 @@ std::string topic_page_path(const TopicEntry& topic) {
   return docs_text(file_of(topic)).empty() ? "" : fmt::format("topics/{}.html", key_of(topic));
 }
 
+void load_page_maker() { cmark(); }
+
 std::string topic_page(const TopicEntry& topic, std::span<const Link> figures) {
   Page page(topic);
   std::string body = page.body(figures);  // finds the contents, too

@@ -22,6 +22,10 @@ struct Link {
 /// a topic without a page.
 std::string topic_page_path(const TopicEntry& topic);
 
+/// Loads what makes pages. Throws std::runtime_error where that is missing: to be asked before the first file
+/// is written.
+void load_page_maker();
+
 /// The page. `figures` are the players of the topic. Pictures become part of the page; links lead to other
 /// topics' pages and into the sources at its end; what is not there is named instead of linked.
 std::string topic_page(const TopicEntry& topic, std::span<const Link> figures);

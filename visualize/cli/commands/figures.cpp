@@ -398,6 +398,7 @@ int figures(const Request& request) {
     check_pages(page_paths(lecture, built_in), out);
     if (request.has("zip")) check_replaced(zip_beside(out), "--zip");
   }
+  load_page_maker();
   make_gallery_folder(out);
   album.give_to(file.owner);
   const std::size_t removed = album.keep_only(lecture.parts());
