@@ -66,8 +66,9 @@ struct TraceStep {
   /// The table after this step: `read` completes the row in which the test was read (the last one so far),
   /// `row` is the row that the step produced. Either may be empty.
   Row read, row;
-  Delta delta;  ///< what changed in the drawing
-  ivec2 focus;  ///< the cell that a view which cannot show all should follow
+  Delta delta;       ///< what changed in the drawing
+  ivec2 focus;       ///< the cell that a view which cannot show all should follow
+  double tells = 0;  ///< how much its figure tells, where the story says it: more is better
 };
 
 /// A column of the decision table.

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 namespace gradus {
 namespace {
@@ -78,6 +79,60 @@ StepNumber rare_and_central(const std::vector<const TraceStep*>& steps) {
   return steps[static_cast<std::size_t>(*best)]->number;
 }
 
+/// Steps that together show what can happen, each for something that no other one shows.
+class Milestones {
+ public:
+  void take(const TraceStep& step) {
+    chosen_.emplace(step.number, &step);
+    phases_.insert(step.phase);
+    sentences_.insert(step.sentence);
+  }
+
+  /// One step of each group, `group_of` naming a step's (empty: none), unless one is there: the seldom ones
+  /// first, so that frequent ones can be shown in another phase.
+  template <class GroupOf>
+  void take_one_of_each(const Trace& trace, GroupOf group_of) {
+    std::map<std::string, std::vector<const TraceStep*>> groups;
+    for (const TraceStep& step : trace.steps) {
+      if (const std::string group = group_of(step); !group.empty()) groups[group].push_back(&step);
+    }
+    for (const auto& [number, step] : chosen_) groups.erase(group_of(*step));
+    std::vector<const std::vector<const TraceStep*>*> by_size;
+    for (const auto& [name, steps] : groups) by_size.push_back(&steps);
+    std::ranges::stable_sort(by_size, {}, [](const auto* steps) { return steps->size(); });
+    for (const auto* steps : by_size) {
+      const TraceStep& step = most_telling(*steps);
+      const bool says_nothing_new = sentences_.contains(step.sentence) && phases_.contains(step.phase);
+      if (step.decision || !says_nothing_new) take(step);
+    }
+  }
+
+  std::vector<StepNumber> numbers() const {
+    std::vector<StepNumber> all;
+    for (const auto& [number, step] : chosen_) all.push_back(number);
+    return all;
+  }
+
+ private:
+  /// What no other step says, by the story's own word, in a phase that isn't shown yet, near the middle.
+  const TraceStep& most_telling(const std::vector<const TraceStep*>& steps) const {
+    const auto middle = std::ssize(steps) / 2;
+    const auto rank = [&](std::ptrdiff_t i) {
+      const TraceStep& step = *steps[static_cast<std::size_t>(i)];
+      return std::tuple(sentences_.contains(step.sentence), -step.tells, phases_.contains(step.phase),
+                        std::abs(i - middle));
+    };
+    std::ptrdiff_t best = 0;
+    for (std::ptrdiff_t i = 1; i < std::ssize(steps); ++i) {
+      if (rank(i) < rank(best)) best = i;
+    }
+    return *steps[static_cast<std::size_t>(best)];
+  }
+
+  std::map<StepNumber, const TraceStep*> chosen_;
+  std::set<std::string_view> phases_, sentences_;
+};
+
 /// At most so many of them, the first and the last among these.
 std::vector<const TraceStep*> evenly_spread(const std::vector<const TraceStep*>& steps, std::size_t most) {
   if (steps.size() <= most) return steps;
@@ -113,28 +168,28 @@ StepNumber telling_step(const Trace& trace) {
 }
 
 std::vector<StepNumber> milestones_of(const Trace& trace) {
-  std::set<StepNumber> chosen;
-  std::set<std::string> kinds;
-  std::set<std::string_view> phases, deciding;
-  std::vector<std::pair<std::string_view, StepNumber>> first_of_phase;
-  for (const TraceStep& step : trace.steps) {
-    if (!is_whole(step)) continue;
-    const bool new_kind = kinds.insert(kind_of(step)).second;
-    const bool new_phase = step.decision && deciding.insert(step.phase).second;
-    if (new_kind || new_phase) chosen.insert(step.number);
-    if (phases.insert(step.phase).second) first_of_phase.emplace_back(step.phase, step.number);
-  }
-  for (const auto& [phase, first] : first_of_phase) {
-    if (!deciding.contains(phase)) chosen.insert(first);
-  }
-  const auto whole = [](const auto& steps) { return std::ranges::find_if(steps, is_whole); };
-  if (const auto first = whole(trace.steps); first != trace.steps.end()) chosen.insert(first->number);
-  for (auto step = trace.steps.rbegin(); step != trace.steps.rend(); ++step) {
-    if (!is_whole(*step)) continue;
-    chosen.insert(step->number);
-    break;
-  }
-  return {chosen.begin(), chosen.end()};
+  const auto first = std::ranges::find_if(trace.steps, is_whole);
+  const auto last = std::ranges::find_if(trace.steps.rbegin(), trace.steps.rend(), is_whole);
+  if (first == trace.steps.end()) return {};
+  Milestones milestones;
+  if (has_step(trace, trace.telling)) milestones.take(trace.steps[index_of(trace, trace.telling)]);
+  const auto deciding_phase = [](const TraceStep& step) {
+    return is_whole(step) && step.decision ? step.phase : "";
+  };
+  std::set<std::string> deciding;
+  for (const TraceStep& step : trace.steps) deciding.insert(deciding_phase(step));
+  // Of what happens between the ends; these are shown anyway
+  milestones.take_one_of_each(trace, [&](const TraceStep& step) {
+    return is_whole(step) && &step != &*first && &step != &*last ? kind_of(step) : "";
+  });
+  milestones.take(*first);
+  milestones.take(*last);
+  milestones.take_one_of_each(trace, [&](const TraceStep& step) {
+    return !is_whole(step) && step.decision && !deciding.contains(step.phase) ? kind_of(step) : "";
+  });
+  milestones.take_one_of_each(trace, deciding_phase);
+  milestones.take_one_of_each(trace, [](const TraceStep& step) { return is_whole(step) ? step.phase : ""; });
+  return milestones.numbers();
 }
 
 std::vector<StepNumber> phase_steps(const Trace& trace, std::size_t most) {
@@ -148,8 +203,9 @@ std::vector<StepNumber> phase_steps(const Trace& trace, std::size_t most) {
     ends_of_phase.push_back(&step);
     between.push_back(&step);
   }
-  const auto& chosen = ends_of_phase.size() > 1 ? ends_of_phase : between.size() > 1 ? between : all;
-  return numbers_of(evenly_spread(chosen, most));
+  if (ends_of_phase.size() > 1) return numbers_of(evenly_spread(ends_of_phase, most));
+  const std::size_t most_of_one = trace.grid.axes ? 6 : 4;
+  return numbers_of(evenly_spread(between.size() > 1 ? between : all, std::min(most, most_of_one)));
 }
 
 StepNumber middle_step(const Trace& trace) {

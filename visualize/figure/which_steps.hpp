@@ -19,14 +19,16 @@ std::optional<std::size_t> code_line(const std::vector<SourceLine>& listing, int
 /// step decides, one that has a line of code.
 StepNumber telling_step(const Trace& trace);
 
-/// The steps that together tell what can happen: the input, the first step that decides in each phase, the
-/// first of each kind of branch, the result. A step without a decision is of the kind of its source line.
-/// Whole steps that are recorded, ascending.
+/// The steps that together tell what can happen: the input, the run's telling step, one of each kind of
+/// branch by its most telling instance, one of each phase, which decides where any does, and the result. A
+/// whole step without a decision is of the kind of its source line; finer events count in phases whose whole
+/// steps decide nothing. Of equals it is one that says something new, then one in a phase that would not be
+/// shown. Recorded steps, ascending.
 std::vector<StepNumber> milestones_of(const Trace& trace);
 
 /// A step for each part of the run, `most` at most, evenly spread: of each phase but the input's and the
-/// result's the last whole step; where there is one such phase alone, its whole steps; where that is a single
-/// step, the input, too, and the result.
+/// result's the last whole step; where there is one such phase alone, its whole steps, six on a grid and four on
+/// paper; where that is a single step, the input, too, and the result.
 std::vector<StepNumber> phase_steps(const Trace& trace, std::size_t most);
 
 /// The whole step in the middle of what is recorded.

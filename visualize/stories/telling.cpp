@@ -321,6 +321,7 @@ void Narrator::describe(TraceStep& step, std::string_view type, Event event) {
   step.read = row_of(std::move(event.read), trace().columns.size());
   step.row = row_of(std::move(event.row), trace().columns.size());
   step.fields = std::move(event.facts);
+  step.tells = board_.tells_;
   if (key_by_type_ && step.key.empty()) step.key = type;
 }
 

@@ -165,6 +165,16 @@ TEST(TellingStep, HasALineOfCode) {
   EXPECT_EQ(telling_step(run_of({{"", "", 0}})), (StepNumber{0, 0}));
 }
 
+/// Nothing is said twice in a phase, but at the ends.
+void expect_no_sentence_twice(const Trace& trace, const std::vector<StepNumber>& chosen) {
+  std::set<std::string> sentences;
+  for (const StepNumber number : chosen) {
+    const TraceStep& step = trace.steps[index_of(trace, number)];
+    const bool is_new = sentences.insert(step.phase + ": " + step.sentence).second;
+    EXPECT_TRUE(is_new || number == chosen.back()) << step.sentence;
+  }
+}
+
 /// The kinds of branch, or the phases, of the run's whole steps.
 template <class Of>
 std::set<std::string> seen(const Trace& trace, const std::vector<StepNumber>& numbers, Of of) {
@@ -188,10 +198,36 @@ TEST(Milestones, HaveEveryPhaseAndEveryKindOfBranch) {
     ASSERT_FALSE(chosen.empty());
     EXPECT_EQ(chosen.front(), whole.front());
     EXPECT_EQ(chosen.back(), whole.back());
-    EXPECT_EQ(seen(trace, chosen, phase), seen(trace, whole, phase));
-    EXPECT_EQ(seen(trace, chosen, branch), seen(trace, whole, branch));
-    EXPECT_EQ(seen(trace, chosen, deciding_phase), seen(trace, whole, deciding_phase));
+    const auto all_phases = seen(trace, chosen, phase);
+    EXPECT_TRUE(std::ranges::includes(all_phases, seen(trace, whole, phase)));
+    const auto chosen_branches = seen(trace, chosen, branch);
+    EXPECT_TRUE(std::ranges::includes(chosen_branches, seen(trace, whole, branch)));
+    const auto chosen_phases = seen(trace, chosen, deciding_phase);
+    EXPECT_TRUE(std::ranges::includes(chosen_phases, seen(trace, whole, deciding_phase)));
+    EXPECT_TRUE(std::ranges::count(chosen, trace.telling) == 1 || !has_step(trace, trace.telling));
+    expect_no_sentence_twice(trace, chosen);
   }
+}
+
+TEST(Milestones, AreTheMostTellingOfTheirKind) {
+  Trace trace =
+      run_of({{"set up", ""}, {"a", "in"}, {"a", "in"}, {"a", "out"}, {"a", "in"}, {"a", ""}, {"", ""}});
+  for (TraceStep& step : trace.steps) step.sentence = text_of(step.number);
+  trace.telling = {3, 0};
+  EXPECT_EQ(milestones_of(trace), (std::vector<StepNumber>{{0, 0}, {2, 0}, {3, 0}, {5, 0}, {6, 0}}));
+  trace.steps[4].tells = 2;
+  EXPECT_EQ(milestones_of(trace), (std::vector<StepNumber>{{0, 0}, {3, 0}, {4, 0}, {5, 0}, {6, 0}}))
+      << "by the story's own word";
+  trace.steps[4].sentence = trace.steps[3].sentence;
+  EXPECT_EQ(milestones_of(trace), (std::vector<StepNumber>{{0, 0}, {2, 0}, {3, 0}, {5, 0}, {6, 0}}))
+      << "nothing is said twice";
+}
+
+TEST(Milestones, AreFinerEventsWhereNoWholeStepDecides) {
+  Trace trace = run_of({{"set up", ""}, {"a", "", 13}, {"a", "near", 13, 1}, {"a", "far", 13, 2}, {"", ""}});
+  for (TraceStep& step : trace.steps) step.sentence = text_of(step.number);
+  trace.telling = {1, 1};
+  EXPECT_EQ(milestones_of(trace), (std::vector<StepNumber>{{0, 0}, {1, 0}, {1, 1}, {1, 2}, {2, 0}}));
 }
 
 TEST(Milestones, OfSutherlandAndHodgmanShowAllFourBorders) {

@@ -199,10 +199,11 @@ TEST(Wrapped, LosesNothingAndBreaksNoWordNoCommandAndNoColour) {
   EXPECT_EQ(wrapped("", 20), "");
 }
 
-TEST(Milestones, AreTheFirstEachKindOfBranchAndTheLast) {
+TEST(Milestones, AreTheFirstTheTellingOneEachKindOfBranchAndTheLast) {
   const Trace trace = line("0,0", "7,3");
   const std::vector<StepNumber> numbers = milestones_of(trace);
-  EXPECT_EQ(numbers, (std::vector<StepNumber>{{0, 0}, {1, 0}, {2, 0}, {7, 0}})) << "start, E, NE, end";
+  EXPECT_EQ(numbers, (std::vector<StepNumber>{{0, 0}, {3, 0}, {4, 0}, {7, 0}})) << "start, E, NE, end";
+  EXPECT_EQ(trace.telling, (StepNumber{4, 0}));
   std::set<int> all, shown;
   for (const TraceStep& step : trace.steps) {
     if (step.number.fine == 0) all.insert(step.line);
