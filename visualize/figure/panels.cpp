@@ -24,7 +24,9 @@ constexpr double wide_text = 240;
 
 /// Among so many drawings none has room for scales, and tints are cut a little beside the marks.
 constexpr std::size_t many = 3;
-constexpr double rim = 0.1;  ///< beside the marks, in parts of their longer side
+constexpr double least_of_many = 5;        ///< units: how small the cells of a whole grid may be among many
+constexpr double worth_the_numbers = 1.1;  ///< so much larger must cells be without the numbers beside them
+constexpr double rim = 0.1;                ///< beside the marks, in parts of their longer side
 
 /// Beside another drawing there is no room for lines of text.
 Stage beside_another(Stage stage, Content& content) {
@@ -68,51 +70,57 @@ struct Tiling {
   }
 };
 
-int lines_of_own(std::span<const Trace* const> runs, double width) {
+int lines_of_own(std::span<const std::string> sentences, double width) {
   std::size_t most = 1;
-  for (const Trace* run : runs) {
-    most = std::max(
-        most, sentence_lines(run->longest_sentence, sentence_size, width - 40, most_sentence_lines).size());
+  for (const std::string& sentence : sentences) {
+    most = std::max(most, sentence_lines(sentence, sentence_size, width - 40, most_sentence_lines).size());
   }
   return static_cast<int>(most);
 }
 
-Tiling tiling_of(std::span<const Trace* const> runs, bool own_sentences, std::size_t columns,
+/// `sentences`: of the panels' own; none: they have none.
+Tiling tiling_of(std::size_t runs, std::span<const std::string> sentences, std::size_t columns,
                  const Box& area) {
   const auto count = static_cast<double>(columns);
-  const auto rows = static_cast<double>((runs.size() + columns - 1) / columns);
+  const auto rows = static_cast<double>((runs + columns - 1) / columns);
   Tiling tiling{.columns = columns};
   tiling.width = (area.width + panel_gap) / count - panel_gap;
-  if (own_sentences) {
-    tiling.sentence_lines = lines_of_own(runs, tiling.width);
+  if (!sentences.empty()) {
+    tiling.sentence_lines = lines_of_own(sentences, tiling.width);
     tiling.sentence = (tiling.sentence_lines == 1 ? 24 : 14) + tiling.sentence_lines * sentence_line;
   }
   tiling.height = (area.height + panel_gap) / rows - (tiling.pitch().y - tiling.height);
   return tiling;
 }
 
-/// The tiling whose drawings show most, in the largest cells.
-Tiling best_tiling(std::span<const Trace* const> runs, bool own_sentences, const Stage& stage,
-                   const Box& area) {
+std::optional<Fit> fit_in(const Stage& stage, const Tiling& tiling) {
+  return fit(stage, tiling.width - 2 * panel_air, tiling.height - 2 * panel_air);
+}
+
+/// How well a stage is shown: all of it in cells of any size before a part of it.
+double worth_of(const Fit& shown) {
+  return shown.follows ? -1 / static_cast<double>(shown.columns * shown.rows) : shown.cell;
+}
+
+/// The tiling whose drawings show most, in the largest cells; nothing: there is no room for them.
+std::optional<Tiling> best_tiling(std::size_t runs, std::span<const std::string> sentences,
+                                  const Stage& stage, const Box& area) {
   std::optional<Tiling> best;
   double most = 0;  // set with the first
-  for (std::size_t columns = runs.size(); columns > 0; --columns) {
-    const Tiling tiling = tiling_of(runs, own_sentences, columns, area);
-    const auto shown = fit(stage, tiling.width - 2 * panel_air, tiling.height - 2 * panel_air);
+  for (std::size_t columns = runs; columns > 0; --columns) {
+    const Tiling tiling = tiling_of(runs, sentences, columns, area);
+    const auto shown = fit_in(stage, tiling);
     if (!shown) continue;
-    // All of it in cells of any size before a part of it
-    const double size = shown->follows ? -1 / static_cast<double>(shown->columns * shown->rows) : shown->cell;
-    // Rows as equal as can be: two and two rather than three and one
-    const std::size_t rows = (runs.size() + columns - 1) / columns;
-    const bool equal = (runs.size() + rows - 1) / rows == columns;
-    const double worth = equal ? size + unequal_rows : size;
+    // Rows as equal as can be: two and two rather than three and one, and no place empty that need not be
+    const std::size_t rows = (runs + columns - 1) / columns;
+    const bool equal = (runs + rows - 1) / rows == columns;
+    const double filled = static_cast<double>(runs) / static_cast<double>(rows * columns);
+    const double worth = worth_of(*shown) * filled * filled + (equal ? unequal_rows : 0);
     if (best && worth <= most + 1e-9) continue;
     best = tiling;
     most = worth;
   }
-  expects(best.has_value(), "expected a size with room for {} drawings, found {:.0f} x {:.0f} units for them",
-          runs.size(), area.width, area.height);
-  return *best;
+  return best;
 }
 
 /// Of many papers what the marks fill with a rim round it, and what else of the papers a panel has room for.
@@ -130,10 +138,60 @@ Stage cut_for(Stage stage, const Content& content, Content& cut, std::size_t run
   return stage;
 }
 
+/// What is said below all panels, or below each.
+struct Plan {
+  std::vector<std::string> sentences{};  ///< of the panels' own; none: one for all
+  Page page{};
+  Stage stage{};
+  std::optional<Tiling> tiling{};
+  double worth = 0;
+};
+
+/// Listing and table have no place here, and sentences of the panels' own stand in the middle.
+Look bands_of(Look look, bool own_sentences) {
+  expects(look.slots.contains(Slot::drawing), "expected the slot drawing for several drawings, found none");
+  look.slots.erase(Slot::listing);
+  look.slots.erase(Slot::table);
+  if (own_sentences) look.slots.erase(Slot::sentence);
+  return look;
+}
+
+Plan plan_of(const Stage& stage, std::size_t runs, const PanelBand& band, const Look& look,
+             std::vector<std::string> sentences) {
+  Plan plan{std::move(sentences), {}, stage};
+  plan.page = page_of(band.banner, bands_of(look, !plan.sentences.empty()));
+  plan.tiling = best_tiling(runs, plan.sentences, stage, plan.page.middle);
+  if (plan.tiling) plan.worth = worth_of(*fit_in(stage, *plan.tiling));
+  return plan;
+}
+
+/// A grid among many is shown whole rather than a part of it, and without the numbers beside it where they
+/// take more room than they are worth. Below each panel stands what it tells, where it tells more than the
+/// sentence for all and takes nothing of the drawings.
+Plan best_plan(Stage stage, std::size_t runs, const PanelBand& band, const Look& look) {
+  const std::vector<std::string> none, own = look.slots.contains(Slot::sentence) ? band.own_sentences : none,
+                                       first = band.sentence.empty() ? own : none;
+  const bool grid_among_many = stage.axes && runs >= many;
+  if (grid_among_many && !stage.fixed) stage.least_cell = std::min(stage.least_cell, least_of_many);
+  Plan best = plan_of(stage, runs, band, look, first);
+  if (grid_among_many) {
+    stage.axes = nullptr;
+    Plan without = plan_of(stage, runs, band, look, first);
+    if (without.worth > worth_the_numbers * best.worth) best = std::move(without);
+  }
+  if (own.size() == first.size()) return best;
+  Plan told = plan_of(best.stage, runs, band, look, own);
+  const bool whole = told.tiling && std::ranges::all_of(own, [&](const std::string& sentence) {
+                       const double room = told.tiling->width - 40;
+                       return sentence_lines(sentence, sentence_size, room, 99).size() <= most_sentence_lines;
+                     });
+  return whole && told.worth >= 0.999 * best.worth ? told : best;
+}
+
 /// More of the papers where a panel is wider or higher than what is shown.
 Stage spread(Stage stage, const Content& content, const Tiling& tiling) {
   const double width = tiling.width - 2 * panel_air, height = tiling.height - 2 * panel_air;
-  const std::optional<Fit> shown = fit(stage, width, height);
+  const std::optional<Fit> shown = fit_in(stage, tiling);
   if (!stage.content || !shown || shown->follows) return stage;
   const Margins& m = shown->margins;
   const dvec2 room = dvec2{width - m.left - m.right, height - m.above - m.below} / shown->cell;
@@ -146,7 +204,7 @@ Stage spread(Stage stage, const Content& content, const Tiling& tiling) {
 
 /// No frame is higher than its drawing, and all stand in the middle of the room that there was.
 void hug(Tiling& tiling, Box& area, const Stage& stage, std::size_t runs) {
-  const std::optional<Fit> shown = fit(stage, tiling.width - 2 * panel_air, tiling.height - 2 * panel_air);
+  const std::optional<Fit> shown = fit_in(stage, tiling);
   if (!shown || shown->follows) return;
   const Margins& m = shown->margins;
   const double height = stage.size.y * shown->cell + m.above + m.below + 2 * panel_air;
@@ -190,26 +248,19 @@ void lay_out_panel_heading(Pen& pen, const SheetPanel& panel, const Box& box) {
                     panel.parts ? Paint::text(Role::measure) : Paint::of(Tone::muted)});
 }
 
-void lay_out_ring(Pen& pen, const Frame& frame, dvec2 at) {
-  const double s = pen.scale(), radius = std::max(16 * s, std::min(0.75 * frame.cell, 40 * s));
-  pen.disc("ring halo", {frame.point(at), radius, {}, Paint::of(Tone::paper), 7 * s});
-  pen.disc("ring", {frame.point(at), radius, {}, Paint::mark(Role::measure), 4 * s});
-}
-
 /// The sheet while its panels are drawn.
 class PanelSheet {
  public:
   PanelSheet(std::span<const Trace* const> runs, const PanelBand& band, const Look& look)
       : band_(band),
         look_(look),
-        own_sentences_(band.sentence.empty() && look.slots.contains(Slot::sentence)),
-        page_(page_of(band.banner, bands_of(look))),
         runs_(runs.size()),
-        least_stage_(cut_for(common_stage(runs, look, content_), content_, cut_, runs.size())),
-        tiling_(best_tiling(runs, own_sentences_, least_stage_, page_.middle)),
-        stage_(runs.size() < many ? least_stage_ : spread(least_stage_, content_, tiling_)),
+        plan_(
+            best_plan(cut_for(common_stage(runs, look, content_), content_, cut_, runs_), runs_, band, look)),
+        tiling_(tiling_of_plan()),
+        stage_(runs_ < many ? plan_.stage : spread(plan_.stage, content_, tiling_)),
         sheet_{look.width, look.height, {}, unit_of(look)} {
-    hug(tiling_, page_.middle, stage_, runs_);
+    hug(tiling_, plan_.page.middle, stage_, runs_);
   }
 
   void draw(std::size_t number, const SheetPanel& panel, bool last) {
@@ -222,12 +273,12 @@ class PanelSheet {
         scene_of(panel.figure, look_, stage_,
                  {frame.x + air, frame.y + air, frame.width - 2 * air, frame.height - 2 * air}, sheet_.unit);
     scene.among_many = runs_ >= many;
+    scene.ring = panel.ring;
     pen.rect("frame",
              {frame, {}, Paint::of(Tone::rule), 1.5 * sheet_.unit, 6 * sheet_.unit, false, Hatch::none, {}});
     lay_out_drawing(pen, panel.figure, scene);
-    if (panel.ring) lay_out_ring(pen, scene.frame, *panel.ring);
     lay_out_panel_heading(pen, panel, heading);
-    if (own_sentences_) {
+    if (!plan_.sentences.empty()) {
       Pen below(sheet_, Slot::sentence, sheet_.unit);
       const Box box = box_of(number, heading_room + tiling_.height + panel_gap, tiling_.sentence);
       lay_out_sentence(below, panel.figure, box, tiling_.sentence_lines);
@@ -239,24 +290,24 @@ class PanelSheet {
 
   Sheet finish() {
     if (!look_.crop) return std::move(sheet_);
-    return cropped(std::move(sheet_), crop_box(page_.at, drawn_, look_, sheet_.unit));
+    return cropped(std::move(sheet_), crop_box(plan_.page.at, drawn_, look_, sheet_.unit));
   }
 
  private:
-  /// Listing and table have no place here, and a sentence of each panel's own stands in the middle.
-  Look bands_of(Look look) const {
-    expects(look.slots.contains(Slot::drawing), "expected the slot drawing for several drawings, found none");
-    look.slots.erase(Slot::listing);
-    look.slots.erase(Slot::table);
-    if (own_sentences_) look.slots.erase(Slot::sentence);
-    return look;
+  Tiling tiling_of_plan() const {
+    const Box& area = plan_.page.middle;
+    expects(plan_.tiling.has_value(),
+            "expected a size with room for {} drawings, found {:.0f} x {:.0f} units for them", runs_,
+            area.width, area.height);
+    return *plan_.tiling;
   }
 
   /// Of the number-th panel the part of this height, `below` its top; pixels.
   Box box_of(std::size_t number, double below, double height) const {
     const auto column = static_cast<double>(number % tiling_.columns);
     const auto row = static_cast<double>(number / tiling_.columns);
-    const dvec2 corner = dvec2(page_.middle.x, page_.middle.y) + dvec2(column, row) * tiling_.pitch();
+    const dvec2 corner =
+        dvec2(plan_.page.middle.x, plan_.page.middle.y) + dvec2(column, row) * tiling_.pitch();
     return scaled({corner.x, corner.y + below, tiling_.width, height}, sheet_.unit);
   }
 
@@ -273,7 +324,7 @@ class PanelSheet {
       Pen pen(sheet_, slot, sheet_.unit);
       draw(pen, scaled(box, sheet_.unit));
     };
-    const Places& at = page_.at;
+    const Places& at = plan_.page.at;
     draw_slot(Slot::title, at.title, [&](Pen& pen, const Box& box) { lay_out_title(pen, at.heading, box); });
     draw_slot(Slot::sentence, at.sentence,
               [&](Pen& pen, const Box& box) { lay_out_sentence(pen, figure, box, at.sentence_lines); });
@@ -283,11 +334,9 @@ class PanelSheet {
 
   const PanelBand& band_;
   const Look& look_;
-  const bool own_sentences_;
-  Page page_;
   const std::size_t runs_;
   Content content_, cut_;
-  const Stage least_stage_;
+  Plan plan_;
   Tiling tiling_;
   const Stage stage_;
   Sheet sheet_;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "figure/figure.hpp"
 
@@ -26,6 +27,9 @@ struct PanelBand {
   Trace banner;
   std::string position;  ///< in the footer
   std::string sentence;  ///< below all panels; empty: each has its figure's own below itself
+  /// The figures' own, or the longest that they may have: also where there is one for all, they stand there
+  /// if the drawings are as large with them.
+  std::vector<std::string> own_sentences{};
 };
 
 /// Lays out as many panels as there are runs named in `runs`: the i-th panel shows a step of runs[i], and

@@ -174,7 +174,12 @@ struct Scene {
   Box settled;                           ///< what the drawing fills in every step: cells, axes, overview
   Box labels;                            ///< where labels may stand
   bool bare = false;                     ///< without what is aside
-  bool among_many = false;  ///< one of many drawings: names have no leaders but what the step points at
+  bool numbered = true;                  ///< with numbers and names beside its cells
+  bool among_many = false;    ///< one of many drawings: names have no leaders but what the step points at
+  std::optional<dvec2> ring;  ///< of the grid: what is pointed at
+
+  /// The cells in view that are the grid's own: those of a shelf are not.
+  Window own_cells(const Grid& grid) const { return intersection(frame.view, grid.own()); }
 };
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& box, double scale);
 
@@ -191,6 +196,8 @@ struct Obstacles {
   std::vector<Segment<2, double>> strokes;
   std::vector<Segment<2, double>> leaders;  ///< drawn so far: nothing may cross them
 };
+/// The numbers and names beside the cells, which are taken then.
+void lay_out_axes(Pen& pen, const Grid& grid, const Scene& scene, Obstacles& taken);
 /// A label's place, and the line from it to its point where it does not stand beside it.
 struct PlacedLabel {
   Box box;
@@ -199,6 +206,9 @@ struct PlacedLabel {
 /// Tries places round the anchor, near ones first. `gap`: the nearest, `clear`: how far from lines.
 std::optional<PlacedLabel> place_label(const Obstacles& obstacles, const Box& room, dvec2 anchor, dvec2 size,
                                        double gap, double clear, double scale);
+
+/// The largest ring round a point, at most of this radius, that leaves the texts placed so far free; 0: none.
+double ring_radius(const Obstacles& obstacles, dvec2 at, double most, double scale);
 
 // --- Listing and table ---------------------------------------------------------------------------
 
@@ -323,6 +333,8 @@ std::vector<std::string> lines_of(const std::string& text, Face face, double siz
 std::vector<std::string> sentence_lines(const std::string& sentence, double size, double room, int most);
 
 /// The position of the step, and the legend.
+/// Lines that the footer takes so that the whole legend has room.
+int footer_lines(const Trace& trace, double room);
 void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window& view, int lines);
 
 void lay_out_title(Pen& pen, const Heading& heading, const Box& box);

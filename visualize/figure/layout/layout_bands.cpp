@@ -11,13 +11,6 @@ namespace {
 
 constexpr double narrow = 1000;  ///< units: below it the bands save room
 
-/// Lines that the footer may take: a second one where a narrow sheet would cut the legend.
-int footer_lines(const Trace& trace, double room) {
-  double asked = 280;
-  for (const LegendEntry& entry : trace.legend) asked += 60 + text_width(entry.text, Face::sans, text_size);
-  return room < narrow && asked > room ? 2 : 1;
-}
-
 /// As many lines as the longest sentence needs; a shorter one may break less well.
 int lines_for_sentences(const Trace& trace, double room) {
   const int most = room < 800 ? 4 : 3;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -13,19 +14,6 @@
 
 namespace gradus::layout {
 namespace {
-
-/// Distance between labelled integers: 1, 2, 5, 10 … cells, so that the labels keep apart.
-std::int64_t tick_step(double cell, double needed) {
-  std::int64_t step = 1;
-  for (int i = 0; static_cast<double>(step) * cell < needed; ++i) step = i % 3 == 1 ? step / 2 * 5 : step * 2;
-  return step;
-}
-
-/// The first multiple of `step` that is not below `lower`.
-std::int64_t first_tick(std::int64_t lower, std::int64_t step) {
-  const std::int64_t rest = ((lower % step) + step) % step;
-  return rest == 0 ? lower : lower + step - rest;
-}
 
 class DrawingLayout {
  public:
@@ -38,7 +26,7 @@ class DrawingLayout {
     draw_cell_colors();
     if (!figure_.canvas->plane()) {
       draw_grid();
-      draw_axes();
+      if (at_.numbered) lay_out_axes(pen_, trace_.grid, at_, free_);
     }
     draw_cell_outlines();
     if (at_.follows) {
@@ -51,8 +39,10 @@ class DrawingLayout {
     for (const auto& [id, mark] : figure_.canvas->marks()) take(mark, false);
     point_outside();
     place_texts();
+    if (at_.ring) place_ring(frame_.point(*at_.ring));
     place_labels();
     draw_marks();
+    for (auto& [id, disc] : ring_) pen_.disc(id, disc);
   }
 
  private:
@@ -134,7 +124,7 @@ class DrawingLayout {
   }
 
   /// The cells in view that are the grid's own: those of a shelf are not.
-  Window own_cells() const { return intersection(frame_.view, trace_.grid.own()); }
+  Window own_cells() const { return at_.own_cells(trace_.grid); }
 
   void draw_grid() {
     constexpr double least_ruled = 6;  // smaller cells are the pixels of a picture
@@ -152,82 +142,29 @@ class DrawingLayout {
     }
     pen_.strokes("grid", std::move(grid));
     constexpr double least_dotted = 14;  // in smaller cells a dot would be a shade
-    if (!trace_.grid.picture && frame_.cell >= least_dotted * s_) draw_centres();
+    if (!trace_.grid.picture && frame_.cell >= least_dotted * s_) take_centres();
   }
 
-  void draw_centres() {
-    StrokesShape dots{{}, Paint::mark(Role::past), 4.4 * s_, true};
+  void take_centres() {
     const Window own = own_cells();
     for_each_cell([&](ivec2 p) {
       if (!own.contains(p)) return;
       const auto look = figure_.canvas->at(p);
       if (look && (look->role == Role::boundary || look->color || !look->text.empty())) return;
-      const dvec2 centre = frame_.point({p.x, p.y});
-      dots.segments.push_back({centre, centre});
+      centres_.push_back(frame_.point({p.x, p.y}));
     });
+  }
+
+  /// But for those beside a text, which would read as its punctuation.
+  void draw_centres() {
+    StrokesShape dots{{}, Paint::mark(Role::past), 4.4 * s_, true};
+    std::vector<Box> texts;
+    for (const auto& [id, text] : letters_) texts.push_back(grown(text.box(), 5 * s_));
+    for (const dvec2 centre : centres_) {
+      if (std::ranges::none_of(texts, [&](const Box& text) { return inside(centre, text); }))
+        dots.segments.push_back({centre, centre});
+    }
     if (!dots.segments.empty()) pen_.strokes("centres", std::move(dots));
-  }
-
-  // --- Its axes ------------------------------------------------------------------------------------------
-
-  void tick(std::string id, dvec2 baseline, std::string text, Align align) {
-    TextShape shape{baseline, std::move(text), Face::sans, text_size * s_, align, Paint::of(Tone::muted)};
-    free_.texts.push_back(shape.box());
-    free_.ticks.push_back(grown(shape.box(), 8 * s_));
-    pen_.text(std::move(id), std::move(shape));
-  }
-
-  void name_axis(std::string id, dvec2 baseline, const std::string& name) {
-    TextShape shape{baseline, name, Face::italic, text_size * s_, Align::left, Paint::of(Tone::muted)};
-    free_.texts.push_back(shape.box());
-    pen_.text(std::move(id), std::move(shape));
-  }
-
-  void draw_axes() {
-    const Box& b = frame_.box;
-    const Window& view = frame_.view;
-    const double size = text_size * s_, below = b.bottom() + 23 * s_;
-    const double widest = std::max(text_width(figure_number(view.lower.x), Face::sans, size),
-                                   text_width(figure_number(view.upper.x), Face::sans, size));
-    const std::int64_t across = tick_step(frame_.cell, widest + 10 * s_);
-    // The axis' name stands behind the last label, inside the slot
-    const double name_width = text_width(trace_.grid.x_name, Face::italic, size);
-    const double most_right = at_.right - name_width - 8 * s_;
-    double last_right = b.x;
-    for (std::int64_t x = first_tick(view.lower.x, across); x <= view.upper.x; x += across) {
-      const std::string text = figure_number(x);
-      const double half = text_width(text, Face::sans, size) / 2;
-      if (frame_.column(static_cast<double>(x)) + half > most_right) break;
-      tick("x " + text, {frame_.column(static_cast<double>(x)), below}, text, Align::centre);
-      last_right = free_.texts.back().right();
-    }
-    const double row_name_bottom = name_rows();
-    const std::int64_t up = tick_step(frame_.cell, 24 * s_);
-    for (std::int64_t y = first_tick(own_cells().lower.y, up); y <= view.upper.y; y += up) {
-      const std::string text = figure_number(y);
-      const double baseline = frame_.row(static_cast<double>(y)) + 7 * s_;
-      if (baseline - 0.8 * size > row_name_bottom)
-        tick("y " + text, {b.x - 8 * s_, baseline}, text, Align::right);
-    }
-    const double x_name = std::min(b.right() + 6 * s_, at_.right - name_width);
-    name_axis("x axis", {std::max(x_name, last_right + 8 * s_), below}, trace_.grid.x_name);
-  }
-
-  /// The arrow behind the name of the rows says where they grow; columns always grow to the right. Returns
-  /// how far down the name reaches.
-  double name_rows() {
-    const Box& b = frame_.box;
-    const double size = text_size * s_;
-    const std::string name = trace_.grid.y_name + (frame_.y_up ? " ↑" : " ↓");
-    if (b.y - at_.settled.y < size && !at_.follows) {  // among the numbers
-      const double left = b.x - 8 * s_ - text_width(name, Face::italic, size);
-      name_axis("y axis", {left, b.y + 13 * s_}, name);
-    } else {
-      // A long name may stand over the grid's corner, but not in the margin
-      const double y_name = text_width(trace_.grid.y_name, Face::italic, size);
-      name_axis("y axis", {std::max(b.x - 8 * s_ - y_name, at_.left), b.y - 5 * s_}, name);
-    }
-    return free_.texts.back().bottom();
   }
 
   /// A text in a cell, and the ground that it brings along: on a colour of its own the stronger contrast.
@@ -252,8 +189,8 @@ class DrawingLayout {
       const auto [ink, ground] = text_paints(look);
       const TextShape text{
           {centre.x, centre.y + 7 * s_}, look.text, Face::sans, size, Align::centre, ink, true, ground};
-      if (look.color)
-        free_.texts.push_back(text.box());  // a value of the picture: nothing is written over it
+      // Over a value of the picture nothing is written; over others no ring is drawn
+      (look.color ? free_ : written_).texts.push_back(text.box());
       pen_.text(fmt::format("text {},{}", p.x, p.y), text);
     }
   }
@@ -365,12 +302,26 @@ class DrawingLayout {
       const Box box = shape.box(), apart = grown(box, 2 * s_);
       const double spare = 0.2 * size;  // above capitals and, but for tails, below the line
       const Box letters{box.x, box.y + spare, box.width, box.height - 2 * spare};
-      if (!inside(letters, grown(at_.labels, s_)) ||
-          std::ranges::any_of(free_.texts, [&](const Box& other) { return overlap(apart, other); }))
+      if (at_.among_many && lies_on_a_line(letters)) continue;  // the size never gives way, names do
+      const auto lies_on = [](const std::vector<Box>& texts, const Box& box) {
+        return std::ranges::any_of(texts, [&](const Box& other) { return overlap(box, other); });
+      };
+      if (!inside(letters, grown(at_.labels, s_)) || lies_on(free_.texts, apart) ||
+          lies_on(written_.texts, box))
         continue;
       free_.texts.push_back(box);
       letters_.emplace_back(mark->id, std::move(shape));
     }
+  }
+
+  /// Round what is pointed at; labels keep off it.
+  void place_ring(dvec2 at) {
+    std::ranges::copy(free_.texts, std::back_inserter(written_.texts));
+    const double r = ring_radius(written_, at, std::max(16 * s_, std::min(0.75 * frame_.cell, 40 * s_)), s_);
+    if (r == 0) return;
+    free_.texts.push_back(grown({at.x, at.y, 0, 0}, r + 3 * s_));
+    ring_.emplace_back("ring halo", DiscShape{at, r, {}, Paint::of(Tone::paper), 7 * s_});
+    ring_.emplace_back("ring", DiscShape{at, r, {}, Paint::mark(Role::measure), 4 * s_});
   }
 
   void place(const Mark& mark, const Label& label, double gap, double clear) {
@@ -424,8 +375,7 @@ class DrawingLayout {
 
   /// A text's rim hides what lies below it: the grid and tints always, lines only where the letters lie on
   /// them, dots never.
-  bool lies_on_a_line(const TextShape& text) const {
-    const Box box = text.box();
+  bool lies_on_a_line(const Box& box) const {
     return std::ranges::any_of(
         free_.strokes, [&](const auto& stroke) { return clipped(stroke.a, stroke.b, box).has_value(); });
   }
@@ -433,12 +383,13 @@ class DrawingLayout {
   void draw_marks() {
     const auto rims = [&](bool on_lines) {
       for (const auto& [id, text] : letters_) {
-        if (lies_on_a_line(text) != on_lines) continue;
+        if (lies_on_a_line(text.box()) != on_lines) continue;
         TextShape rim = text;
         rim.paint = {};
         pen_.text("rim " + id, std::move(rim));
       }
     };
+    draw_centres();
     for (auto& [id, area] : areas_) pen_.area(id, std::move(area));
     rims(false);
     for (auto& [id, line] : guides_) pen_.line(id, std::move(line));
@@ -461,17 +412,19 @@ class DrawingLayout {
   double s_;
   const Scene& at_;
   const Frame& frame_;
+  std::vector<dvec2> centres_;  ///< of the cells that have a dot there
   std::vector<std::pair<ivec2, CellLook>> cell_texts_;
   std::vector<std::pair<const Mark*, const Text*>> texts_;
   std::vector<std::pair<const Mark*, const Label*>> fixed_labels_, labels_;
   std::optional<Mark> outside_;    ///< the label of a step outside the view
   std::size_t fixed_strokes_ = 0;  ///< those that stand through all steps come first
   std::vector<Box> fixed_dots_;
-  Obstacles free_;  ///< what texts are to be free of
+  Obstacles free_;     ///< what texts are to be free of
+  Obstacles written_;  ///< in cells; and once a ring is placed, all texts
 
   Named<AreaShape> areas_;
   Named<LineShape> guides_, lines_, leaders_;
-  Named<DiscShape> dots_;
+  Named<DiscShape> dots_, ring_;
   Named<TextShape> letters_;
 };
 

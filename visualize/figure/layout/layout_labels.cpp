@@ -134,4 +134,17 @@ std::optional<PlacedLabel> place_label(const Obstacles& obstacles, const Box& ro
   return LabelPlacer(obstacles, room, anchor, clear, scale).place(size, gap);
 }
 
+double ring_radius(const Obstacles& obstacles, dvec2 at, double most, double scale) {
+  double radius = most;
+  for (const Box& text : obstacles.texts) {
+    const dvec2 nearest = glm::clamp(at, {text.x, text.y}, {text.right(), text.bottom()});
+    const double free = glm::distance(at, nearest) - 6 * scale;
+    // A text that the whole ring surrounds, a number in a cell, is no obstacle
+    const double farthest =
+        std::max(glm::distance(at, {text.x, text.y}), glm::distance(at, {text.right(), text.bottom()}));
+    if (farthest + 4 * scale > radius) radius = std::min(radius, free);
+  }
+  return radius < 10 * scale ? 0 : radius;
+}
+
 }  // namespace gradus::layout

@@ -92,11 +92,8 @@ struct Sized {
   Margins margins{};
 };
 
-/// Whether the name of the rows may stand among their numbers: over the last one, or in place of one of many.
-bool may_stand_among(const Stage& stage, double cell) {
-  constexpr double high_cell = 64, many_rows = 10;
-  return cell >= high_cell || stage.size.y >= many_rows;
-}
+/// From here on the name of the rows may stand among their numbers, over the last one.
+constexpr double high_cell = 64;
 
 Sized largest_of_grid(const Stage& stage, double width, double height) {
   Sized best;
@@ -105,7 +102,7 @@ Sized largest_of_grid(const Stage& stage, double width, double height) {
       const Margins margins = axis_margins(stage, from, name_above);
       const double cell = cell_between(stage, margins, width, height);
       if (cell < from || cell <= best.cell * 1.001) continue;
-      if (name_above || may_stand_among(stage, cell)) best = {cell, margins};
+      if (name_above || cell >= high_cell) best = {cell, margins};
     }
   }
   return best;
@@ -269,6 +266,7 @@ Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const
   const std::optional<Fit> shown = fit(stage, slot.width / s, slot.height / s);
   Scene scene;
   scene.bare = stage.bare;
+  scene.numbered = stage.axes != nullptr;
   if (!shown) return scene;
   const Margins& margins = shown->margins;
   scene.follows = shown->follows;

@@ -30,7 +30,7 @@ std::string_view next_line(std::string_view& text) {
   return line;
 }
 
-bool is_heading(std::string_view line) {
+bool is_section(std::string_view line) {
   return line.size() >= 2 && line.front() == '[' && line.back() == ']';
 }
 
@@ -77,7 +77,7 @@ Language::Catalogue::Catalogue(std::string_view code, std::string_view whole) : 
   for (std::string_view rest = whole; !rest.empty();) {
     const char* const line_begin = rest.data();
     const std::string_view line = stripped(next_line(rest));
-    if (!is_heading(line)) continue;
+    if (!is_section(line)) continue;
     add_section_to(line_begin);
     name = line.substr(1, line.size() - 2);
     begin = rest.data();

@@ -318,6 +318,37 @@ TEST(Legend, TwoEntriesNeverShareALook) {
   EXPECT_GT(entries, 500u);
 }
 
+TEST(Legend, HasEveryEntryThatIsDrawn) {
+  if (test::sanitized) return;
+  std::size_t entries = 0, next = 0;
+  for (const GalleryFigure& figure : gallery()) {
+    if (!test::in_share(next++, 3)) continue;
+    for (const auto& language : languages()) {
+      const Trace trace = trace_of(figure, language);
+      Playhead playhead(trace);
+      for (const double width : {1280.0, 960.0, 720.0}) {
+        Look look = figure.spec.look;
+        look.width = width;
+        look.height = 720;
+        if (look.view) continue;
+        for (const StepNumber step : steps_of(trace, 5)) {
+          const Figure shown = figure_of(trace, playhead, step);
+          const Window view = layout::visible_cells(shown, look);
+          const auto drawn = std::ranges::count_if(trace.legend, [&](const LegendEntry& entry) {
+            return layout::legend_mark(shown, view, entry).has_value();
+          });
+          const Sheet sheet = lay_out(shown, look);
+          const auto listed = std::ranges::count_if(
+              sheet.shapes, [](const Shape& shape) { return shape.id.starts_with("legend text "); });
+          entries += static_cast<std::size_t>(listed);
+          EXPECT_EQ(listed, drawn) << figure.name << " step " << text_of(step) << " at " << width;
+        }
+      }
+    }
+  }
+  EXPECT_GT(entries, test::share_of(3000, 3));
+}
+
 TEST(Legend, AnEntryOfALineLooksAsInTheDrawing) {
   if (test::sanitized) return;
   std::size_t lines = 0;

@@ -6,6 +6,8 @@
 
 #include <map>
 
+#include "figure/layout/layout.hpp"
+#include "support/aspects.hpp"
 #include "support/sanitized.hpp"
 #include "support/share.hpp"
 #include "support/sheets.hpp"
@@ -13,9 +15,12 @@
 namespace gradus {
 namespace {
 
+using test::aspects;
+using test::Case;
 using test::extent_of;
 using test::find_text;
 using test::overlap;
+using test::shared_traces;
 using test::texts_of;
 
 constexpr double seven_points = 7.0 * 4 / 3;
@@ -194,6 +199,38 @@ TEST(Handout, CaptionsFollowTheSlots) {
   for (const Shape& shape : Pages(trace, handout).page(0).shapes) {
     EXPECT_EQ(shape.id.find(" sentence "), std::string::npos);
   }
+}
+
+TEST(Layout, AHandoutShowsMore) {
+  // More lines and rows, more of the grid, or a larger drawing
+  const auto drawing = [](const layout::Places& places, const Look& look) {
+    return places.drawing.width * places.drawing.height * layout::unit_of(look) * layout::unit_of(look);
+  };
+  const auto cells_in_view = [](const Trace& trace, const Look& look) {
+    const Window view = layout::visible_cells({.trace = &trace, .focus = trace.grid.cells.lower}, look);
+    return view.width() * view.height();
+  };
+  for (const Case& aspect : aspects()) {
+    SCOPED_TRACE(aspect.name);
+    for (const Trace& trace : shared_traces()) {
+      SCOPED_TRACE(trace.method + " " + trace.subtitle);
+      const layout::Places slide =
+          layout::places_of(trace, aspect.look, layout::stage_of(trace, aspect.look));
+      Look look = aspect.look;
+      look.layout = Layout::handout;
+      const layout::Places handout = layout::places_of(trace, look, layout::stage_of(trace, look));
+      const std::int64_t before = cells_in_view(trace, aspect.look), now = cells_in_view(trace, look);
+      EXPECT_GE(now, before);
+      const bool larger = drawing(handout, look) > drawing(slide, aspect.look);
+      if (now == before && !larger) EXPECT_GE(handout.lines + handout.rows, slide.lines + slide.rows);
+    }
+  }
+  // All lines of the listing on 16:9
+  Look look;
+  look.layout = Layout::handout;
+  const Trace trace = test::trace_of("bresenham_line");
+  const layout::Places at = layout::places_of(trace, look, layout::stage_of(trace, look));
+  EXPECT_EQ(at.lines, static_cast<int>(trace.listing.size()));
 }
 
 }  // namespace

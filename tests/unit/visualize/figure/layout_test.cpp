@@ -96,6 +96,40 @@ void every_slot_that_was_asked_for_is_there(const Trace&, const Sheet& sheet, co
   EXPECT_EQ(seen, look.slots);
 }
 
+/// A cell's dot beside a word would be its punctuation.
+void no_dot_stands_beside_a_text(const Trace&, const Sheet& sheet, const Look&) {
+  std::vector<Box> texts;
+  for (const Shape& shape : sheet.shapes) {
+    const TextShape* text = std::get_if<TextShape>(&shape.what);
+    if (text && shape.slot == Slot::drawing && !text->is_rim()) texts.push_back(text->box());
+  }
+  for (const Shape& shape : sheet.shapes) {
+    if (shape.id != "centres") continue;
+    for (const auto& [dot, end] : std::get<StrokesShape>(shape.what).segments) {
+      for (const Box& text : texts) EXPECT_FALSE(overlap(text, {dot.x - 1, dot.y - 1, 2, 2}));
+    }
+  }
+}
+
+/// Of the numbers beside the rows none is missing between, before or behind those that stand there.
+void numbers_of_rows_have_no_gap(const Trace& trace, const Sheet& sheet, const Look& look) {
+  if (!trace.grid.axes || !look.slots.contains(Slot::drawing)) return;
+  std::vector<int> numbers;
+  for (const Shape& shape : sheet.shapes) {
+    if (!shape.id.starts_with("y ")) continue;
+    std::string number = shape.id.substr(2);
+    if (number.starts_with("−")) number.replace(0, std::string("−").size(), "-");
+    if (number.find_first_not_of("-0123456789") == std::string::npos) numbers.push_back(std::stoi(number));
+  }
+  if (numbers.size() < 3) return;
+  std::ranges::sort(numbers);
+  const int between = numbers[1] - numbers[0];
+  for (std::size_t i = 1; i < numbers.size(); ++i) EXPECT_EQ(numbers[i] - numbers[i - 1], between);
+  if (look.view || !trace.grid.whole) return;  // what is in view is not known here
+  EXPECT_LT(numbers.front() - between, trace.grid.own().lower.y);
+  EXPECT_GT(numbers.back() + between, trace.grid.own().upper.y);
+}
+
 /// Three lines of source and two rows, or all there are, however small the slide.
 void listing_and_table_have_their_least(const Trace& trace, const Sheet& sheet, const Look& look) {
   std::size_t lines = 0;  // as they stand: a long one is broken under one number
@@ -121,6 +155,8 @@ TEST(Layout, EverySlideIsLegibleApartAndWhole) {
       {"nothing is clipped", nothing_is_clipped},
       {"slots keep apart", slots_keep_apart},
       {"every slot that was asked for is there", every_slot_that_was_asked_for_is_there},
+      {"no dot stands beside a text", no_dot_stands_beside_a_text},
+      {"numbers of rows have no gap", numbers_of_rows_have_no_gap},
       {"listing and table have their least", listing_and_table_have_their_least}};
   std::size_t sheets = 0, looks = 0;
   for (const Case& slide : slides()) {
@@ -180,13 +216,12 @@ std::size_t the_current_line_is_listed(const Figure& figure, const Sheet& sheet)
 }
 
 void texts_are_whole_and_apart(const Sheet& sheet) {
-  std::vector<Box> boxes;
-  for (const TextShape* text : texts_of(sheet)) boxes.push_back(text->box());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Box& a = boxes[i];
-    EXPECT_TRUE(a.x >= 0 && a.y >= 0 && a.right() <= sheet.width && a.bottom() <= sheet.height);
-    for (std::size_t k = i + 1; k < boxes.size(); ++k) EXPECT_FALSE(overlap(a, boxes[k]));
+  for (const TextShape* text : texts_of(sheet)) {
+    const Box box = text->box();
+    EXPECT_TRUE(box.x >= 0 && box.y >= 0 && box.right() <= sheet.width && box.bottom() <= sheet.height)
+        << text->text;
   }
+  test::expect_texts_apart(sheet);
 }
 
 TEST(Layout, EveryStepIsWholeWithItsLineOnEveryAspect) {
@@ -364,38 +399,6 @@ TEST(Layout, EachAspectHasAnArrangementOfItsOwn) {
   EXPECT_EQ(sides(fill, 960, 720), (std::pair{Side::below, Side::right}));
   EXPECT_EQ(sides(line, 720, 720), (std::pair{Side::below, Side::below}));
   EXPECT_EQ(sides(fill, 720, 960), (std::pair{Side::below, Side::below}));
-}
-
-TEST(Layout, AHandoutShowsMore) {
-  // More lines and rows, more of the grid, or a larger drawing
-  const auto drawing = [](const layout::Places& places, const Look& look) {
-    return places.drawing.width * places.drawing.height * layout::unit_of(look) * layout::unit_of(look);
-  };
-  const auto cells_in_view = [](const Trace& trace, const Look& look) {
-    const Window view = layout::visible_cells({.trace = &trace, .focus = trace.grid.cells.lower}, look);
-    return view.width() * view.height();
-  };
-  for (const Case& aspect : aspects()) {
-    SCOPED_TRACE(aspect.name);
-    for (const Trace& trace : shared_traces()) {
-      SCOPED_TRACE(trace.method + " " + trace.subtitle);
-      const layout::Places slide =
-          layout::places_of(trace, aspect.look, layout::stage_of(trace, aspect.look));
-      Look look = aspect.look;
-      look.layout = Layout::handout;
-      const layout::Places handout = layout::places_of(trace, look, layout::stage_of(trace, look));
-      const std::int64_t before = cells_in_view(trace, aspect.look), now = cells_in_view(trace, look);
-      EXPECT_GE(now, before);
-      const bool larger = drawing(handout, look) > drawing(slide, aspect.look);
-      if (now == before && !larger) EXPECT_GE(handout.lines + handout.rows, slide.lines + slide.rows);
-    }
-  }
-  // All lines of the listing on 16:9
-  Look look;
-  look.layout = Layout::handout;
-  const Trace trace = test::trace_of("bresenham_line");
-  const layout::Places at = layout::places_of(trace, look, layout::stage_of(trace, look));
-  EXPECT_EQ(at.lines, static_cast<int>(trace.listing.size()));
 }
 
 // --- Titles --------------------------------------------------------------------------------------
