@@ -28,7 +28,7 @@ const Flag steps{
     "several: 3-9, or 1,4,9-12; 0-100/5 takes every fifth; auto: the input, the first that decides of each "
     "phase and of each kind of branch, the result"};
 const Flag panels{"panels", 0, "LIST",
-                  "several drawings on one sheet: phases, one for each; or 2 to 6 steps like 1,4,9"};
+                  "several drawings on one sheet: phases, one for each; or 2 to 8 steps like 1,4,9"};
 const Flag compare{"compare", 0, "METHOD",
                    "beside another run: a method, another topic with the same inputs, or other inputs like "
                    "'--method NAME'; shows where they first differ"};

@@ -46,17 +46,20 @@ struct Said {
   GivenTexts inputs;
 };
 
-/// A method of the topic before a topic of that name.
+/// A name in full before one that is cut short, and a method of the topic before a topic.
 void take_name(Said& said, const std::string& word) {
   const std::vector<std::string> methods = method_names(*said.topic);
-  if (const auto found = matching_names(word, methods); found.size() == 1) {
-    said.inputs["method"] = methods[found.front()];
-    return;
-  }
   std::vector<std::string> topics;
   for (const TopicEntry* entry : catalogue()) topics.push_back(entry->name);
-  if (const auto found = matching_names(word, topics); found.size() == 1) {
-    said.topic = catalogue()[found.front()];
+  const auto method = matching_names(word, methods), topic = matching_names(word, topics);
+  const bool whole_topic = topic.size() == 1 && folded(word) == folded(topics[topic.front()]);
+  const bool whole_method = method.size() == 1 && folded(word) == folded(methods[method.front()]);
+  if (method.size() == 1 && (whole_method || !whole_topic)) {
+    said.inputs["method"] = methods[method.front()];
+    return;
+  }
+  if (topic.size() == 1) {
+    said.topic = catalogue()[topic.front()];
     return;
   }
   std::vector<std::string> all = methods;
@@ -109,6 +112,13 @@ bool gives_way(const Parameter& parameter, const TopicEntry& topic, const GivenT
   });
 }
 
+/// Whether the run's method takes notice of this input.
+bool reads(const TopicEntry& topic, const Arguments& arguments, const Parameter& parameter) {
+  const auto method = std::ranges::find(topic.methods, arguments.text("method"), &Method::name);
+  return std::ranges::find(method->unread, parameter.name) == method->unread.end() &&
+         std::ranges::find(method->without, parameter.name) == method->without.end();
+}
+
 std::string canonical_text(const TopicEntry& topic, const Said& said, const Arguments& arguments) {
   std::string text = said.topic == &topic ? "" : said.topic->name;
   for (const auto& [name, value] : said.inputs) {
@@ -138,6 +148,7 @@ OtherSide other_side(const TopicEntry& topic, const Arguments& arguments, std::s
     const Parameter& parameter = *parameter_of(topic, entry.name);
     const bool is_default = entry.text == parameter.default_value;
     if (entry.text.empty() || gives_way(parameter, *said.topic, said.inputs)) continue;
+    if (is_default && !reads(topic, arguments, parameter)) continue;
     if (!takes_over(*said.topic, parameter)) {
       if (is_default && !is_a_shape(parameter)) continue;
       refuse_flag("compare",

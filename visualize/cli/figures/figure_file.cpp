@@ -95,7 +95,7 @@ StepNumber telling_step(const Takes& takes) {
 StepNumber shown_step(const FigureSpec& spec, const Takes& takes) {
   if (spec.step) return takes.named(*spec.step);
   if (spec.panels) return telling_step(takes);
-  if (!spec.chooses_steps()) return parting_step(takes).value_or(telling_step(takes));
+  if (!spec.chooses_steps()) return takes.beside() ? compared_step(spec, takes) : telling_step(takes);
   if (spec.milestones || count_in(spec.steps) != 1) {
     throw UsageError(
         fmt::format("--steps: expected one step for one picture ({{step}} in the name of -o makes one "
@@ -109,7 +109,7 @@ StepNumber shown_step(const FigureSpec& spec, const Takes& takes) {
 
 std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes) {
   if (spec.panels) return {telling_step(takes)};
-  if (spec.step) return {shown_step(spec, takes)};
+  if (spec.step) return {takes.named(*spec.step)};
   // Checked before they are listed: a range may be as long as its numbers are large
   for (const StepRange& range : spec.steps) {
     for (const StepNumber end : {range.first, range.last}) takes.check(end, "--steps", text_of(spec.steps));

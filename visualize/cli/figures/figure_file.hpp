@@ -23,7 +23,8 @@ Format read_format(const Request& request, const std::string& output);
 
 /// What is shown of a run where no step is named: Trace::telling, where it is kept.
 StepNumber telling_step(const Takes& takes);
-/// The one step that an SVG or PNG shows: --step, else the telling one. Throws UsageError when there is none.
+/// The one step that an SVG or PNG shows: --step, else the telling one, or where runs are compared
+/// compared_step. Throws UsageError when there is none.
 StepNumber shown_step(const FigureSpec& spec, const Takes& takes);
 /// The steps that a document or a series of files has: --steps or --step, else all whole ones that are
 /// recorded.

@@ -19,7 +19,7 @@ namespace gradus::cli {
 
 /// What --panels asks for.
 struct PanelChoice {
-  static constexpr std::size_t least = 2, most = 6;
+  static constexpr std::size_t least = 2, most = 8;
   bool phases = false;            ///< a drawing for each phase of the run
   std::vector<StepNumber> steps;  ///< else one for each of these
 };

@@ -104,17 +104,59 @@ std::optional<std::pair<int, dvec2>> place_of(const Mark& mark) {
   return std::nullopt;
 }
 
-/// Where it is seen that a step tells of something else than the other: on a grid at its cell, on paper at
-/// the best of its marks that the other one has not.
-std::optional<dvec2> place_of_difference(const Trace& trace, const TraceStep& step, const TraceStep& other) {
-  if (trace.grid.axes) return dvec2(step.focus);
+/// The cell in which the drawings differ that a step of either has just changed, the one it looks at first.
+std::optional<dvec2> differing_cell(const Figure& a, const Figure& b) {
+  std::vector<ivec2> cells{a.focus, b.focus};
+  for (const Figure* figure : {&a, &b}) {
+    for (const CellChange& change : told_step(*figure).delta.cells) cells.push_back(change.at);
+  }
+  const auto differs = [&](ivec2 p) {
+    return a.trace->grid.cells.contains(p) && a.canvas->at(p) != b.canvas->at(p);
+  };
+  const auto found = std::ranges::find_if(cells, differs);
+  return found == cells.end() ? std::nullopt : std::optional(dvec2(*found));
+}
+
+/// The best of the marks that the step has drawn and the other drawing has not.
+std::optional<dvec2> differing_mark(const Figure& figure, const Figure& other) {
   std::optional<std::pair<int, dvec2>> best;
-  for (const Mark& mark : step.delta.set) {
-    const bool in_both = std::ranges::find(other.delta.set, mark) != other.delta.set.end();
+  for (const Mark& mark : told_step(figure).delta.set) {
+    const bool in_both = std::ranges::any_of(other.canvas->marks(), [&](const auto& theirs) {
+      return theirs.second.role == mark.role && theirs.second.shape == mark.shape;
+    });
     const auto place = in_both ? std::nullopt : place_of(mark);
     if (place && (!best || place->first > best->first)) best = place;
   }
   return best ? std::optional(best->second) : std::nullopt;
+}
+
+/// Where it is seen in a figure that its step differs from the other's; nothing: it is not.
+std::optional<dvec2> place_of_difference(const Figure& figure, const Figure& other) {
+  if (const auto cell = differing_cell(figure, other)) return cell;
+  return differing_mark(figure, other);
+}
+
+/// How many pairs of steps are looked at for a difference that can be seen.
+constexpr std::size_t most_pairs = 500;
+
+/// Whether there is nothing wrong with either run: then it is what they come to that is of interest.
+bool both_right(const FigureSpec& spec, const Takes& takes) {
+  return !spec.compare->given && takes.opening().faulty.empty() && takes.beside()->opening().faulty.empty();
+}
+
+/// The first step at which the runs part and it is seen, or at which they part.
+std::optional<StepNumber> parting_step(const Takes& takes) {
+  const Alignment& alignment = takes.alignment();
+  if (!alignment.parting) return std::nullopt;
+  const std::size_t first = *alignment.parting, end = std::min(alignment.pairs.size(), first + most_pairs);
+  const Trace &of_a = takes.opening(), &of_b = takes.beside()->opening();
+  Playhead head_a(of_a), head_b(of_b);
+  for (std::size_t i = first; i < end; ++i) {
+    const Figure a = figure_of(of_a, head_a, alignment.pairs[i].a),
+                 b = figure_of(of_b, head_b, alignment.pairs[i].b);
+    if (place_of_difference(a, b) || place_of_difference(b, a)) return alignment.pairs[i].a;
+  }
+  return alignment.pairs[first].a;
 }
 
 std::string joined(const Wording& wording, const std::string& a, const std::string& b) {
@@ -137,8 +179,6 @@ StepPair pair_at(const Takes& takes, StepNumber step) {
   pair.a = step;
   return pair;
 }
-
-bool is_parting(const Takes& takes, StepNumber step) { return parting_step(takes) == step; }
 
 }  // namespace
 
@@ -166,7 +206,8 @@ Sheet panels_sheet(const FigureSpec& spec, Takes& takes, const Look& look) {
   const std::vector<const Trace*> runs(steps.size(), &trace);
   const std::vector<std::string> phases = phases_of(trace);
   const bool by_phase = shows_phases(spec, takes);
-  const PanelBand band{banner_of(trace), panels_text(spec, takes), trace.goal};
+  PanelBand band{banner_of(trace), panels_text(spec, takes), trace.goal};
+  for (const StepNumber step : steps) band.own_sentences.push_back(takes.figure(step).sentence);
   return lay_out_panels(runs, band, look, [&](std::size_t i) {
     const Figure figure = takes.figure(steps[i]);
     const std::string heading = by_phase
@@ -176,30 +217,35 @@ Sheet panels_sheet(const FigureSpec& spec, Takes& takes, const Look& look) {
   });
 }
 
-std::optional<StepNumber> parting_step(const Takes& takes) {
-  const Alignment& alignment = takes.alignment();
-  if (!alignment.parting) return std::nullopt;
-  return alignment.pairs[*alignment.parting].a;
+StepNumber compared_step(const FigureSpec& spec, const Takes& takes) {
+  if (both_right(spec, takes)) return {takes.last(), 0};
+  return parting_step(takes).value_or(takes.opening().telling);
 }
 
-Sheet compared_sheet(const FigureSpec&, Takes& takes, StepNumber step, const Look& look) {
+Sheet compared_sheet(const FigureSpec& spec, Takes& takes, StepNumber step, const Look& look) {
+  const bool parts = !both_right(spec, takes) && parting_step(takes) == step;
   const StepPair pair = pair_at(takes, step);
   const Figure a = takes.figure(pair.a), b = takes.beside()->figure(pair.b);
   const Trace &of_a = *a.trace, &of_b = *b.trace;
   const std::array runs{&of_a, &of_b};
   const Wording& wording = of_a.wording;
-  const bool parts = is_parting(takes, step);
-  const PanelBand band{banner_of(of_a, of_b), joined(wording, a.position, b.position), ""};
+  const PanelBand band{banner_of(of_a, of_b),
+                       joined(wording, a.position, b.position),
+                       "",
+                       {of_a.longest_sentence, of_b.longest_sentence}};
   const auto side = [&](const Figure& figure, const Figure& other) {
-    const std::string note = parts ? wording.say("figure.parting")
-                                   : wording.say("figure.panel", arg("number", text_of(figure.number)));
+    const auto ring = parts ? place_of_difference(figure, other) : std::nullopt;
+    const std::string& own = told_step(figure).note;
+    const std::string note = ring ? wording.say("figure.parting")
+                             : !own.empty()
+                                 ? own
+                                 : wording.say("figure.panel", arg("number", text_of(figure.number)));
     return SheetPanel{.figure = figure,
                       .heading = name_beside(*figure.trace, *other.trace),
                       .note = note,
                       .faulty = !figure.trace->faulty.empty(),
-                      .parts = parts,
-                      .ring = parts ? place_of_difference(*figure.trace, told_step(figure), told_step(other))
-                                    : std::optional<dvec2>()};
+                      .parts = ring.has_value(),
+                      .ring = ring};
   };
   return lay_out_panels(runs, band, look, [&](std::size_t i) { return i == 0 ? side(a, b) : side(b, a); });
 }

@@ -16,8 +16,9 @@ std::string panels_text(const FigureSpec& spec, const Takes& takes);
 /// They on one sheet. `look`: the spec's, or that of the place where the sheet stands.
 Sheet panels_sheet(const FigureSpec& spec, Takes& takes, const Look& look);
 
-/// The step at which the two runs first differ, if they do; of the first one.
-std::optional<StepNumber> parting_step(const Takes& takes);
+/// What a comparison shows where no step is named, as a step of the first run: of two right runs what they
+/// come to, else the first step whose drawing differs.
+StepNumber compared_step(const FigureSpec& spec, const Takes& takes);
 /// A step of the run, and beside it the one of the other run that belongs to it.
 Sheet compared_sheet(const FigureSpec& spec, Takes& takes, StepNumber step, const Look& look);
 /// What that sheet shows, in a sentence: caption and alt text.

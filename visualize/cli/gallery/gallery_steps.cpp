@@ -38,7 +38,7 @@ bool is_cut(std::int64_t last) { return last + 1 > most_gallery_pages; }
 std::int64_t last_page(const Takes& takes) { return takes.opening().steps.back().number.step; }
 
 std::vector<StepNumber> picture_steps(const FigureSpec& spec, const Takes& takes) {
-  if (!spec.chooses_steps()) return {telling_step(takes)};
+  if (!spec.chooses_steps()) return {shown_step(spec, takes)};
   std::vector<StepNumber> steps = chosen_steps(spec, takes);
   std::set<StepNumber> seen;
   std::erase_if(steps, [&seen](StepNumber step) { return !seen.insert(step).second; });
