@@ -403,11 +403,13 @@ void AreaScan::sweep(std::span<std::uint8_t> pixels, int row, int row_of_band) {
 }
 
 void AreaScan::draw(Raster<std::uint8_t>& picture, std::span<const Ring> rings) {
+  const auto box = box_in(rings);
+  if (!box && small_.draw(picture, rings)) return;
   const Wide area = doubled_area(rings);
   if (area == 0) return;
   place(picture, rings);
   if (columns_ == 0 || rows_ == 0) return;
-  if (const auto box = box_in(rings)) return draw_box(picture, (*box)[0], (*box)[1]);
+  if (box) return draw_box(picture, (*box)[0], (*box)[1]);
   // What is covered lies right of edges that go up where the rings run clockwise, as one sees them
   orientation_ = area > 0 ? -1 : 1;
   collect(rings);

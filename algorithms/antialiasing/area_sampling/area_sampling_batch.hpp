@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "antialiasing/area_sampling/small_polygon_batch.hpp"
 #include "core/geometry.hpp"
 #include "core/raster.hpp"
 
@@ -34,7 +35,8 @@ class AreaScan {
   /// Accuracy: exact. Areas are sums in double with a bound of their error; where that bound doesn't tell
   ///   the byte, fractions of 128 bits and as many digits as it takes do.
   /// Cost: for each row and edge that crosses it some ns and some for each pixel on the edge; what lies
-  ///   between edges is filled. Memory of some 80 bytes per edge and 9 per column.
+  ///   between edges is filled. Memory of some 80 bytes per edge and 9 per column, and 9 KB.
+  ///   Polygons of a few pixels take about half (small_polygon_batch.hpp).
   /// Errors: ContractViolation for corners that lie too far out.
   void draw(Raster<std::uint8_t>& picture, std::span<const Ring> rings);
   void draw(Raster<std::uint8_t>& picture, Ring ring) { draw(picture, std::span<const Ring>(&ring, 1)); }
@@ -75,6 +77,7 @@ class AreaScan {
   static void put(std::span<std::uint8_t> pixels, std::uint64_t bytes);
   void sweep(std::span<std::uint8_t> pixels, int row, int row_of_band);
 
+  SmallPolygonScan small_;
   ivec2 corner_{0};  ///< of the part of the picture that the polygon may reach
   int columns_ = 0, rows_ = 0;
   int band_rows_ = 1;       ///< rows that are worked off together

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -223,6 +225,87 @@ TEST(AreaScan, LargePicturesAgreeWithTheirParts) {
       for (int x = 0; x < 64; ++x) ASSERT_EQ(int{part[ivec2(x, y)]}, int{whole[ivec2(x, y) + corner]});
     }
   }
+}
+
+TEST(AreaScan, PolygonsOfAFewPixelsAreRight) {
+  // Wholly in the picture, of each size up to what is drawn at once and a little more
+  constexpr std::uint64_t seed = 24;
+  SCOPED_TRACE(seed);
+  AreaScan scan;
+  for (int i = 0; i < 60; ++i) {
+    Random random(seed, static_cast<std::uint64_t>(i));
+    const double most = i < 34 ? 0.5 + 0.5 * i : random.uniform(0.5, 8);
+    const int corners = static_cast<int>(random.uniform_int(3, 12)), side = static_cast<int>(2 * most) + 6;
+    const dvec2 middle = dvec2{side / 2.0} + dvec2{random.uniform(-2, 2), random.uniform(-2, 2)};
+    Ring ring = star(random, middle, i % 3 == 0 ? 0.1 : most / 2, most, corners);
+    if (i % 2 == 0) std::ranges::reverse(ring);
+    ASSERT_NO_FATAL_FAILURE(expect_right(scan, {ring}, side, side)) << "case " << i;
+  }
+}
+
+TEST(SmallPolygonScan, NothingIsLeftOfThePolygonBefore) {
+  // Four and eight columns wide, and touching the right side of its box in many ways; then a wider one
+  SmallPolygonScan scan;
+  const Ring wide{{3, 5}, {4000, 300}, {4090, 4000}, {17, 3001}};
+  const Bytes right = right_bytes({wide}, 16, 16);
+  const auto expect_wide_right = [&] {
+    Bytes bytes(16, 16);
+    ASSERT_TRUE(scan.draw(bytes, std::array{AreaScan::Ring(wide)}));
+    EXPECT_EQ(bytes, right);
+  };
+  for (const int columns : {1, 3, 4, 8, 12, 16}) {
+    for (const int off : {0, 1, 200}) {
+      const int x = columns * 256 - off;
+      const Ring ring{{9, 7}, {x, 130}, {x, 900}, {x - 8, 1500}, {x, 1501}, {x, 1700}, {40, 1801}};
+      Bytes bytes(columns, 8);
+      ASSERT_TRUE(scan.draw(bytes, std::array{AreaScan::Ring(ring)}));
+      EXPECT_EQ(bytes, right_bytes({ring}, columns, 8)) << columns << " " << off;
+      ASSERT_NO_FATAL_FAILURE(expect_wide_right()) << columns << " " << off;
+    }
+  }
+  // A tie is left to others, and leaves nothing behind, either
+  Bytes bytes(3, 2);
+  const Ring tie{{0, 40}, {768, 104}, {768, 232}, {0, 168}};
+  EXPECT_FALSE(scan.draw(bytes, std::array{AreaScan::Ring(tie)}));
+  EXPECT_EQ(bytes, Bytes(3, 2));
+  expect_wide_right();
+}
+
+TEST(SmallPolygonScan, WhatIsNotCoveredKeepsWhatItHas) {
+  SmallPolygonScan scan;
+  for (int columns = 1; columns <= 20; ++columns) {
+    const int x = 512 + columns * 256 - 3;
+    const Ring ring{{515, 600}, {x, 900}, {520, 1500}};
+    const Bytes right = right_bytes({ring}, 24, 8);
+    Bytes bytes(24, 8, 7);
+    ASSERT_TRUE(scan.draw(bytes, std::array{AreaScan::Ring(ring)}));
+    for (std::size_t k = 0; k < bytes.cells().size(); ++k) {
+      ASSERT_EQ(int{bytes.cells()[k]}, right.cells()[k] != 0 ? int{right.cells()[k]} : 7) << columns;
+    }
+  }
+}
+
+TEST(SmallPolygonScan, OthersAreLeftAlone) {
+  SmallPolygonScan scan;
+  const auto taken = [&](const Ring& ring, int side) {
+    Bytes bytes(side, side);
+    const bool drawn = scan.draw(bytes, std::array{AreaScan::Ring(ring)});
+    if (!drawn) EXPECT_EQ(bytes, Bytes(side, side));
+    return drawn;
+  };
+  constexpr int reach = SmallPolygonScan::most * 256;
+  EXPECT_TRUE(taken({{0, 3}, {reach, 70}, {5, reach}}, 40));
+  EXPECT_FALSE(taken({{0, 3}, {reach + 1, 70}, {5, reach}}, 40));  // one column more
+  EXPECT_FALSE(taken({{0, 3}, {reach, 70}, {5, reach + 1}}, 40));  // one row more
+  EXPECT_FALSE(taken({{-1, 3}, {700, 70}, {5, 900}}, 40));         // left of the picture
+  EXPECT_FALSE(taken({{0, 3}, {700, -1}, {5, 900}}, 40));          // above it
+  EXPECT_FALSE(taken({{0, 3}, {1025, 70}, {5, 900}}, 4));          // right of it
+  EXPECT_FALSE(taken({{0, 3}, {700, 70}, {5, 1025}}, 4));          // below it
+  EXPECT_FALSE(taken({{7, 7}, {7, 7}, {9, 9}}, 4));                // no area
+  EXPECT_FALSE(taken({}, 4));
+  constexpr int far = std::numeric_limits<int>::max();
+  EXPECT_FALSE(taken({{-far, -far}, {far, 3}, {far, far}, {1, far}}, 4));
+  EXPECT_FALSE(taken(Ring(257, ivec2(3, 3)), 4));
 }
 
 TEST(AreaScan, CornersTooFarOutAreRefused) {
