@@ -33,13 +33,18 @@ class Sampling {
     buffer.most.fill(-1);
     buffer.whole.fill(no_triangle);
     buffer.sampled.fill(-1);
-    buffer.samples.clear();
+    buffer.samples.resize(SampleBuffer::cells);
     buffer.sampled_cells.clear();
     close_beyond(pixels, buffer.least);
     close_beyond(pixels, buffer.most);
     far_.fill(-1);
+    near_.fill(-1);
     if (is_whole_tile(pixels)) return;
-    for (std::size_t block = 0; block < far_.size(); ++block) far_[block] = farthest_in(block);
+    for (std::size_t block = 0; block < far_.size(); ++block) {
+      far_[block] = farthest_in(block);
+      near_[block] = *std::max_element(buffer.most.data() + block * block_cells,
+                                       buffer.most.data() + (block + 1) * block_cells);
+    }
   }
 
   void draw(std::int32_t id) {
@@ -106,7 +111,7 @@ class Sampling {
     alignas(64) float rise_in_block[block_cells];
     std::array<std::int32_t, 3> half;  ///< half_pixel of the sides
     float slope;                       ///< by how much the nearness changes from a centre to a corner
-    float least_rise;                  ///< in a block
+    float least_rise, most_rise;       ///< in a block
     NearnessRange range;
   };
 
@@ -116,7 +121,7 @@ class Sampling {
     const F right = hn::Set(single, static_cast<float>(cast.plane.right)),
             lower = hn::Set(single, static_cast<float>(cast.plane.down)),
             part = hn::Set(single, 1.0f / triangle_coverage::subpixels);
-    F least = hn::Set(single, std::numeric_limits<float>::infinity());
+    F least = hn::Set(single, std::numeric_limits<float>::infinity()), most = hn::Neg(least);
     for (std::size_t i = 0; i < block_cells; i += hn::Lanes(whole)) {
       const I x = hn::Load(whole, cell_columns + i), y = hn::Load(whole, cell_rows + i);
       const I dx = hn::Load(whole, offsets_.right + i), dy = hn::Load(whole, offsets_.down + i);
@@ -135,10 +140,12 @@ class Sampling {
       };
       const F in_block = rise(x, y);
       least = hn::Min(least, in_block);
+      most = hn::Max(most, in_block);
       hn::Store(in_block, single, steps.rise_in_block + i);
       hn::Store(hn::Mul(rise(dx, dy), part), single, steps.rise_at_sample + i);
     }
     steps.least_rise = hn::GetLane(hn::MinOfLanes(single, least));
+    steps.most_rise = hn::GetLane(hn::MaxOfLanes(single, most));
     for (std::size_t k = 0; k < 3; ++k)
       if (steps.half[k] >= 1 << 23) prepare_long_side(cast, k, steps);
   }
@@ -181,16 +188,37 @@ class Sampling {
                         at_block(cast.sides[2], first)};
     const auto near =
         static_cast<float>(cast.plane.at + cast.plane.right * first.x + cast.plane.down * first.y);
+    // The least and the most sum have the least and the most part: no look at the lanes
+    const float least = near + steps.least_rise - steps.slope, most = near + steps.most_rise + steps.slope;
+    if (whole && least > near_[number] + unsure_at(near_[number])) {
+      put_block(number * block_cells, near, steps, id);
+      far_[number] = least;
+      near_[number] = most;
+      return;
+    }
     Taken taken{false, true};
     for (std::size_t i = 0; i < block_cells; i += hn::Lanes(Single())) {
       const Taken some = draw_cells(number * block_cells, i, at, near, whole, steps, id);
       taken = {taken.some || some.some, taken.all && some.all};
     }
-    // The least sum has the least part: no look at the lanes
     if (taken.all)
-      far_[number] = near + steps.least_rise - steps.slope;
+      far_[number] = least;
     else if (taken.some)
       far_[number] = farthest_in(number);
+    if (taken.some) near_[number] = std::max(near_[number], most);
+  }
+
+  /// Of a triangle that covers all of a block and is surely nearer than all that it shows.
+  HWY_INLINE void put_block(std::size_t base, float near, const Steps& steps, std::int32_t id) {
+    const Whole whole;
+    const Single single;
+    const F slope = hn::Set(single, steps.slope);
+    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(single)) {
+      const F middle = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise_in_block + i));
+      hn::Store(hn::Sub(middle, slope), single, buffer_.least.data() + base + i);
+      hn::Store(hn::Add(middle, slope), single, buffer_.most.data() + base + i);
+      hn::Store(hn::Set(whole, id), whole, buffer_.whole.data() + base + i);
+    }
   }
 
   /// Cells of a block that begins at a cell, from the i-th on.
@@ -271,43 +299,79 @@ class Sampling {
     return cells;
   }
 
+  /// Where the samples of a cell stand that has none yet.
+  HWY_INLINE PixelSamples& next_samples() { return buffer_.samples[buffer_.sampled_cells.size()]; }
+  HWY_INLINE void take_next_samples(std::size_t cell) {
+    buffer_.sampled[cell] = static_cast<std::int32_t>(buffer_.sampled_cells.size());
+    buffer_.sampled_cells.push_back(static_cast<std::int32_t>(cell));
+  }
+
   HWY_INLINE PixelSamples& samples_of(std::size_t cell) {
-    std::int32_t& place = buffer_.sampled[cell];
-    if (place < 0) {
-      place = static_cast<std::int32_t>(buffer_.samples.size());
-      buffer_.sampled_cells.push_back(static_cast<std::int32_t>(cell));
-      PixelSamples& fresh = buffer_.samples.emplace_back();
+    if (buffer_.sampled[cell] < 0) {
+      PixelSamples& fresh = next_samples();
       fresh.nearness.fill(-1);
       fresh.ids.fill(no_triangle);
+      take_next_samples(cell);
     }
-    return buffer_.samples[static_cast<std::size_t>(place)];
+    return buffer_.samples[static_cast<std::size_t>(buffer_.sampled[cell])];
+  }
+
+  /// What a triangle has at some of the samples of a cell, from the i-th on.
+  struct AtSamples {
+    hn::Mask<Single> inside;
+    F nearness;
+  };
+  HWY_INLINE AtSamples at_samples(std::size_t i, const std::array<std::int32_t, 3>& at, float near,
+                                  const Steps& steps) const {
+    const Whole whole;
+    const Single single;
+    const auto side = [&](std::size_t k) {
+      return hn::Add(hn::Set(whole, at[k]), hn::Load(whole, steps.side_at_sample[k] + i));
+    };
+    const auto signs = hn::Or(hn::Or(side(0), side(1)), side(2));
+    const F there = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise_at_sample + i));
+    return {hn::RebindMask(single, hn::Not(hn::Lt(signs, hn::Zero(whole)))),
+            hn::Min(hn::Max(there, hn::Set(single, steps.range.low)), hn::Set(single, steps.range.high))};
+  }
+
+  /// The same where nothing has been seen at a cell's samples yet: most that are seen there come first.
+  HWY_INLINE void sample_first(std::size_t cell, const std::array<std::int32_t, 3>& at, float near,
+                               const Steps& steps, std::int32_t id) {
+    const Whole whole;
+    const Single single;
+    PixelSamples& of = next_samples();
+    bool some = false;
+    for (std::size_t i = 0; i < most_samples; i += hn::Lanes(whole)) {
+      const AtSamples here = at_samples(i, at, near, steps);
+      hn::Store(hn::IfThenElse(here.inside, here.nearness, hn::Set(single, -1.0f)), single,
+                of.nearness.data() + i);
+      hn::Store(
+          hn::IfThenElse(hn::RebindMask(whole, here.inside), hn::Set(whole, id), hn::Set(whole, no_triangle)),
+          whole, of.ids.data() + i);
+      some |= !hn::AllFalse(single, here.inside);
+    }
+    if (some) take_next_samples(cell);
   }
 
   HWY_INLINE void sample(std::size_t cell, const std::array<std::int32_t, 3>& at, float near,
                          const Steps& steps, std::int32_t id) {
     const Whole whole;
     const Single single;
-    PixelSamples* of = nullptr;
+    const std::int32_t place = buffer_.sampled[cell];
+    if (place < 0) return sample_first(cell, at, near, steps, id);
+    PixelSamples& of = buffer_.samples[static_cast<std::size_t>(place)];
     for (std::size_t i = 0; i < most_samples; i += hn::Lanes(whole)) {
-      const auto side = [&](std::size_t k) {
-        return hn::Add(hn::Set(whole, at[k]), hn::Load(whole, steps.side_at_sample[k] + i));
-      };
-      const auto signs = hn::Or(hn::Or(side(0), side(1)), side(2));
-      const auto inside = hn::RebindMask(single, hn::Not(hn::Lt(signs, hn::Zero(whole))));
+      const auto [inside, mine] = at_samples(i, at, near, steps);
       if (hn::AllFalse(single, inside)) continue;
-      if (!of) of = &samples_of(cell);
-      const F there = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise_at_sample + i));
-      const F mine =
-          hn::Min(hn::Max(there, hn::Set(single, steps.range.low)), hn::Set(single, steps.range.high));
-      float* const nearness = of->nearness.data() + i;
-      std::int32_t* const ids = of->ids.data() + i;
+      float* const nearness = of.nearness.data() + i;
+      std::int32_t* const ids = of.ids.data() + i;
       const F old = hn::Load(single, nearness);
       const auto nearer = hn::And(inside, hn::Gt(mine, hn::Add(old, unsure(old))));
       const auto open = hn::AndNot(nearer, hn::And(inside, hn::Ge(mine, hn::Sub(old, unsure(old)))));
       hn::Store(hn::IfThenElse(nearer, mine, old), single, nearness);
       hn::Store(hn::IfThenElse(hn::RebindMask(whole, nearer), hn::Set(whole, id), hn::Load(whole, ids)),
                 whole, ids);
-      if (HWY_UNLIKELY(!hn::AllFalse(single, open))) settle(*of, cell, i, open, mine, id);
+      if (HWY_UNLIKELY(!hn::AllFalse(single, open))) settle(of, cell, i, open, mine, id);
     }
   }
 
@@ -367,6 +431,7 @@ class Sampling {
         if (full && less > most + unsure_at(most)) {
           least = less;
           most = more;
+          near_[cell / block_cells] = std::max(near_[cell / block_cells], more);
           buffer_.whole[cell] = id;
         } else {
           sample_exactly(t, edges, cell, id);
@@ -401,6 +466,8 @@ class Sampling {
   TileTies ties_;
   /// The farthest of what covers pixels of each block whole, or what was that before.
   alignas(64) std::array<float, SampleBuffer::cells / block_cells> far_;
+  /// The nearest of it, or what is nearer.
+  std::array<float, SampleBuffer::cells / block_cells> near_;
   double farthest_ = -1;  ///< what is farther is seen nowhere
   int since_ = 0;         ///< pixels that boxes had since that was found
 };

@@ -56,9 +56,9 @@ HWY_INLINE bool winners_of(TileTies& ties, const SampleBuffer& buffer, std::size
 class SampleSides {
  public:
   /// origin: the tile's upper left pixel.
-  void set(std::int32_t id, const triangle_coverage::Triangle& grid, ivec2 origin,
-           const SampleOffsets& offsets) {
+  HWY_INLINE void set(std::int32_t id, const triangle_coverage::Triangle& grid, ivec2 origin) {
     id_ = id;
+    has_offsets_ = false;
     edges_ = triangle_coverage::edges_of(grid);
     long_ = false;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -67,30 +67,36 @@ class SampleSides {
       sides_[k] = {edge.at(triangle_coverage::centre_of(origin)) - !edge.owns, edge.step(),
                    std::int64_t{way.x} * triangle_coverage::subpixels};
       long_ |= std::abs(way.x) + std::abs(way.y) >= 1 << 23;
-      if (!long_) set_offsets(k, way, offsets);
     }
   }
   std::int32_t id() const { return id_; }
 
   /// Where the colour in a pixel, counted from the tile's, is asked for: adaptive::colour_place.
-  HWY_INLINE ivec2 colour_place(ivec2 pixel, ivec2 origin, std::span<const ivec2> places) const {
+  HWY_INLINE ivec2 colour_place(ivec2 pixel, ivec2 origin, std::span<const ivec2> places,
+                                const SampleOffsets& offsets) {
     std::array<std::int64_t, 3> in_middle;
     for (std::size_t k = 0; k < 3; ++k)
       in_middle[k] = sides_[k].at + sides_[k].a * pixel.x + sides_[k].b * pixel.y;
     if ((in_middle[0] | in_middle[1] | in_middle[2]) >= 0) return pixel_middle;
     if (long_) return colour_place_of_long(origin + pixel, places);
+    // Many are never asked for more than pixels' middles
+    if (!has_offsets_) set_offsets(offsets);
     const std::uint32_t outside = outside_of(in_middle);
     const auto first = static_cast<std::size_t>(std::countr_one(outside));
     return first < places.size() ? places[first] : pixel_middle;
   }
 
  private:
-  HWY_INLINE void set_offsets(std::size_t k, ivec2 way, const SampleOffsets& offsets) {
+  HWY_INLINE void set_offsets(const SampleOffsets& offsets) {
     const Whole d;
-    for (std::size_t i = 0; i < most_samples; i += hn::Lanes(d)) {
-      const I right = hn::Load(d, offsets.right + i), down = hn::Load(d, offsets.down + i);
-      hn::Store(hn::Sub(hn::Mul(hn::Set(d, way.x), down), hn::Mul(hn::Set(d, way.y), right)), d,
-                offsets_[k] + i);
+    has_offsets_ = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ivec2 way = edges_[k].to - edges_[k].from;
+      for (std::size_t i = 0; i < most_samples; i += hn::Lanes(d)) {
+        const I right = hn::Load(d, offsets.right + i), down = hn::Load(d, offsets.down + i);
+        hn::Store(hn::Sub(hn::Mul(hn::Set(d, way.x), down), hn::Mul(hn::Set(d, way.y), right)), d,
+                  offsets_[k] + i);
+      }
     }
   }
 
@@ -120,7 +126,7 @@ class SampleSides {
   }
 
   std::int32_t id_ = no_triangle;
-  bool long_ = false;
+  bool long_ = false, has_offsets_ = false;
   triangle_coverage::Edges edges_{};
   std::array<Side, 3> sides_{};                        ///< at least 0 inside; in the middle of a pixel
   alignas(64) std::int32_t offsets_[3][most_samples];  ///< what samples add
@@ -132,8 +138,8 @@ class Shown {
   Shown(const Frame& frame, ivec2 origin, std::span<const ivec2> places, std::vector<ShownTriangle>& shown)
       : frame_(frame), origin_(origin), places_(places), offsets_(places), shown_(shown) {}
 
-  /// Adds the triangles that the samples of a pixel show. winners: of them.
-  HWY_INLINE void add(std::size_t cell, const std::int32_t* winners) {
+  /// Adds the triangles that the samples of a pixel show. winners: of them. whole: covers all of it, or none.
+  HWY_INLINE void add(std::size_t cell, const std::int32_t* winners, std::int32_t whole) {
     const Whole d;
     for (std::uint32_t left = (1U << places_.size()) - 1; left != 0;) {
       const std::int32_t id = winners[std::countr_zero(left)];
@@ -148,15 +154,17 @@ class Shown {
       triangle.cell = cell;
       triangle.id = id;
       triangle.samples = std::popcount(same);
-      triangle.place = sides_of(id).colour_place(TileBuffer::place(cell), origin_, places_);
+      triangle.place = id == whole
+                           ? pixel_middle
+                           : sides_of(id).colour_place(TileBuffer::place(cell), origin_, places_, offsets_);
     }
   }
 
  private:
   /// Pixels beside one another show the same triangles.
-  HWY_INLINE const SampleSides& sides_of(std::int32_t id) {
+  HWY_INLINE SampleSides& sides_of(std::int32_t id) {
     SampleSides& sides = known_[static_cast<std::size_t>(id) % known_.size()];
-    if (sides.id() != id) sides.set(id, frame_.triangle(id).grid, origin_, offsets_);
+    if (sides.id() != id) sides.set(id, frame_.triangle(id).grid, origin_);
     return sides;
   }
 
@@ -173,11 +181,15 @@ void show_tile(const Frame& frame, const Window& pixels, std::span<const ivec2> 
   Shown shown(frame, pixels.lower, places, list);
   TileTies ties(frame, pixels.lower);
   alignas(64) std::int32_t winners[most_samples];
-  for (const std::int32_t number : buffer.sampled_cells) {
-    const auto cell = static_cast<std::size_t>(number);
+  for (std::size_t i = 0; i < buffer.sampled_cells.size(); ++i) {
+    const auto cell = static_cast<std::size_t>(buffer.sampled_cells[i]);
+    if (buffer.whole[cell] == no_triangle) {
+      shown.add(cell, buffer.samples[i].ids.data(), no_triangle);
+      continue;
+    }
     const ivec2 pixel = pixels.lower + TileBuffer::place(cell);
     if (winners_of(ties, buffer, cell, pixel, places, winners))
-      shown.add(cell, winners);
+      shown.add(cell, winners, buffer.whole[cell]);
     else
       list.push_back({cell, buffer.whole[cell], static_cast<std::int32_t>(places.size()), pixel_middle});
   }

@@ -59,13 +59,15 @@ class TileShader {
   struct Fragment {
     std::int32_t slot, samples;
     std::size_t cell;
-    ivec2 place;  ///< in the pixel, in 1/256
+    ivec2 place;        ///< in the pixel, in 1/256
+    float column, row;  ///< the place in the tile
   };
 
   std::int64_t find_fragments(const Window& pixels, const SampleBuffer& buffer,
                               std::span<const ivec2> places);
   void light_fragments(ivec2 origin);
-  void light_group(std::int32_t number, ivec2 origin);
+  void list_fragments();
+  void light_group(std::int32_t number, bool alone, ivec2 origin);
   void mix_fragments(std::size_t samples);
   void begin();
   void describe_all(const Window& box, bool squares);
