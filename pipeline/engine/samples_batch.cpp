@@ -299,7 +299,7 @@ class Sampling {
     return cells;
   }
 
-  /// Where the samples of a cell stand that has none yet.
+  /// Where those of a cell will stand that is without samples so far.
   HWY_INLINE PixelSamples& next_samples() { return buffer_.samples[buffer_.sampled_cells.size()]; }
   HWY_INLINE void take_next_samples(std::size_t cell) {
     buffer_.sampled[cell] = static_cast<std::int32_t>(buffer_.sampled_cells.size());

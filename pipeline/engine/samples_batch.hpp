@@ -45,7 +45,7 @@ struct alignas(64) SampleBuffer {
   std::array<float, cells> least, most;   ///< how near the triangle below comes, in all of the pixel's square
   std::array<std::int32_t, cells> whole;  ///< the nearest of those that cover the square
   std::array<std::int32_t, cells> sampled;  ///< place in `samples` where others are to be looked at, else -1
-  std::vector<PixelSamples> samples;
+  std::vector<PixelSamples> samples;        ///< room for all cells; as many are in use as the next has
   std::vector<std::int32_t> sampled_cells;  ///< of each of them
 };
 
@@ -57,7 +57,7 @@ struct alignas(64) SampleBuffer {
 /// Domain: that of make_frame.
 /// Accuracy: coverage exact; see find_shown.
 /// Cost: some 100 nanoseconds per triangle and tile, 10 per block of its box, and 20 per pixel that it
-///   neither covers nor leaves out whole; memory of 128 bytes for such a pixel.
+///   neither covers nor leaves out whole; memory of 128 bytes per pixel of a tile.
 /// Errors: none.
 void find_samples(const Frame& frame, int tile, const Window& pixels, std::span<const ivec2> places,
                   SampleBuffer& buffer);
