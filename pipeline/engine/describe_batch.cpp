@@ -126,7 +126,7 @@ class Description {
       const auto along = [&](W x, int column) { return hn::Mul(x, wide(by[column][axis])); };
       const W turned =
           hn::Add(hn::Add(along(p.x, 0), along(p.y, 1)), hn::Add(along(p.z, 2), wide(by[3][axis])));
-      hn::BlendedStore(turned, own, Wide(), points[static_cast<std::size_t>(axis)].data() + i);
+      store_own(turned, own, Wide(), points[static_cast<std::size_t>(axis)].data() + i);
     }
   }
 
@@ -136,9 +136,9 @@ class Description {
     const W square = dot(n, n), side = load(seen_.side, i);
     const auto fits = hn::And(hn::Gt(square, wide(1e-200)), hn::Lt(square, wide(1e200)));
     const W by = hn::IfThenElse(fits, hn::Div(side, hn::Sqrt(square)), side);
-    hn::BlendedStore(hn::Mul(n.x, by), own, Wide(), normals[0].data() + i);
-    hn::BlendedStore(hn::Mul(n.y, by), own, Wide(), normals[1].data() + i);
-    hn::BlendedStore(hn::Mul(n.z, by), own, Wide(), normals[2].data() + i);
+    store_own(hn::Mul(n.x, by), own, Wide(), normals[0].data() + i);
+    store_own(hn::Mul(n.y, by), own, Wide(), normals[1].data() + i);
+    store_own(hn::Mul(n.z, by), own, Wide(), normals[2].data() + i);
     for_each_bit(bits_of(Wide(), hn::AndNot(fits, own)),
                  [&](int lane) { make_unit_with_care(normals, i + static_cast<std::size_t>(lane)); });
   }
@@ -327,8 +327,8 @@ class Description {
     const auto store = [&](std::size_t value, F scattered, F highlight) {
       const bool apart = group.has_texture();
       const F first = apart ? scattered : hn::Add(scattered, highlight), second = apart ? highlight : zero();
-      hn::BlendedStore(first, own, D(), into[value].data() + i);
-      hn::BlendedStore(second, own, D(), into[value + 3].data() + i);
+      store_own(first, own, D(), into[value].data() + i);
+      store_own(second, own, D(), into[value + 3].data() + i);
     };
     store(0, light.scattered.x, light.highlight.x);
     store(1, light.scattered.y, light.highlight.y);

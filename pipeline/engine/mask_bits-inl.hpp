@@ -38,6 +38,13 @@ HWY_INLINE void for_each_bit(std::uint32_t bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
 }
 
+// Stores the lanes that are own, and leaves others as they are: Highway's BlendedStore by whole registers,
+// since a store of some lanes takes processors of AMD as long as forty others. to: aligned
+template <class V, class D, class T>
+HWY_INLINE void store_own(V v, hn::Mask<D> own, D d, T* to) {
+  hn::Store(hn::IfThenElse(own, v, hn::Load(d, to)), d, to);
+}
+
 }  // namespace gradus::pipeline::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

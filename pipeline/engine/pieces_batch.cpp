@@ -25,12 +25,46 @@ struct Places {
   V x, y;
 };
 
-// Vertices by their numbers
-HWY_INLINE Places places_of(const ivec2* grid, V numbers) {
+// So many vertices, of as many pieces one after the other their corner: x and y in turn
+template <std::size_t count>
+HWY_INLINE auto pairs_of(const ivec2* grid, const std::int32_t* corners) {
+  const hn::CappedTag<std::int32_t, 2 * count> d;
+  if constexpr (count == 1)
+    return hn::LoadU(d, &grid[*corners].x);
+  else
+    // Found by its arguments: targets of one lane do without
+    return Combine(d, pairs_of<count / 2>(grid, corners + 3 * (count / 2)),
+                   pairs_of<count / 2>(grid, corners));
+}
+
+HWY_INLINE Places gathered(const ivec2* grid, V numbers) {
   const D d;
   const auto* words = &grid->x;
   const V twice = hn::ShiftLeft<1>(numbers);
   return {hn::GatherIndex(d, words, twice), hn::GatherIndex(d, words, hn::Add(twice, set(1)))};
+}
+
+struct Corners {
+  Places a, b, c;
+};
+
+// numbers: of the vertices of as many pieces as registers hold
+template <std::size_t lanes>
+HWY_INLINE Corners corners_of(const ivec2* grid, const std::int32_t* numbers) {
+  const hn::CappedTag<std::int32_t, lanes> d;
+  if constexpr (lanes == 4 || lanes == 8) {
+    // Both numbers of a vertex at once: a gather takes processors of AMD as long as forty loads
+    const auto corner = [&](int which) -> Places {
+      const auto lower = pairs_of<lanes / 2>(grid, numbers + which),
+                 upper = pairs_of<lanes / 2>(grid, numbers + which + 3 * (lanes / 2));
+      return {ConcatEven(d, upper, lower), ConcatOdd(d, upper, lower)};
+    };
+    return {corner(0), corner(1), corner(2)};
+  } else {
+    V a, b, c;
+    hn::LoadInterleaved3(d, numbers, a, b, c);
+    return {gathered(grid, a), gathered(grid, b), gathered(grid, c)};
+  }
 }
 
 // Whether all are less than 2^15 in size
@@ -99,17 +133,15 @@ PieceCount choose_all(const PieceChoice& choice, const PieceVertices* pieces, st
   PieceCount total;
   const auto count_of = [d](M which) { return static_cast<std::int64_t>(hn::CountTrue(d, which)); };
   for (std::size_t i = 0; i < count; i += lanes) {
-    V na, nb, nc;
-    M there = hn::FirstN(d, count - i);
-    if (i + lanes <= count) {
-      hn::LoadInterleaved3(d, pieces[i].data(), na, nb, nc);
-    } else {
-      std::array<std::int32_t, 3 * hn::MaxLanes(D())> last{};
-      for (std::size_t k = 0; k < 3 * (count - i); ++k) last[k] = pieces[i + k / 3][k % 3];
-      hn::LoadInterleaved3(d, last.data(), na, nb, nc);
+    const M there = hn::FirstN(d, count - i);
+    const std::int32_t* numbers = pieces[i].data();
+    std::array<std::int32_t, 3 * hn::MaxLanes(D())> rest{};
+    if (i + lanes > count) {
+      for (std::size_t k = 0; k < 3 * (count - i); ++k) rest[k] = pieces[i + k / 3][k % 3];
+      numbers = rest.data();
     }
-    const Places a = places_of(grid, na), b = places_of(grid, mirrored ? nc : nb),
-                 c = places_of(grid, mirrored ? nb : nc);
+    const Corners corners = corners_of<hn::MaxLanes(D())>(grid, numbers);
+    const Places &a = corners.a, &b = mirrored ? corners.c : corners.b, &c = mirrored ? corners.b : corners.c;
     // Beyond the same plane with all corners: nothing is left. Beyond one with some: unsure
     const M a_out = hn::Eq(a.x, set(beyond)), b_out = hn::Eq(b.x, set(beyond)),
             c_out = hn::Eq(c.x, set(beyond));

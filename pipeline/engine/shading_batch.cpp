@@ -152,21 +152,63 @@ HWY_INLINE void light_block(const LitCells& lit_cells, const Records& records, s
   MI in_doubt = hn::FirstN(DI(), 0);
   const I colour = colour_of(lit_cells, records, x, y, in_doubt);
   std::uint32_t* const to = colours + static_cast<std::size_t>(block * block_cells) + k;
-  // Whole registers: a store of lanes takes processors of AMD as long as forty others
-  hn::Store(hn::IfThenElse(hn::RebindMask(du, own), hn::BitCast(du, colour), hn::Load(du, to)), du, to);
+  store_own(hn::BitCast(du, colour), hn::RebindMask(du, own), du, to);
   doubtful = hn::Or(doubtful, hn::And(own, in_doubt));
+}
+
+// Registers hold whole rows of a block: what is computed of columns is the same in each
+constexpr bool holds_rows = hn::MaxLanes(D()) % block_side == 0;
+
+// As light_block, all cells of a block that shows one triangle, whose light without a texture is known by its
+// planes
+template <bool grey>
+HWY_INLINE void light_whole_block(const LitCells& lit_cells, OneRecord record, std::int32_t block,
+                                  std::uint32_t* colours) {
+  const D d;
+  const hn::RebindToUnsigned<DI> du;
+  constexpr std::size_t values = grey ? 1 : 3;
+  const bool parallel = lit_cells.towards != glm::vec3(0);
+  const F column = set(static_cast<float>(block % blocks_across * block_side)),
+          row = set(static_cast<float>(block / blocks_across * block_side)),
+          x = hn::Sub(hn::Add(column, hn::Load(d, cell_columns)), record(record::column));
+  const auto begun = [&](int place) { return hn::Add(record(place), hn::Mul(record(place + 1), x)); };
+  const F over_w = begun(record::over_w);
+  const auto place_of = [](std::size_t value) { return record::values + 3 * static_cast<int>(value); };
+  F light[values];
+  for (std::size_t i = 0; i < values; ++i) light[i] = begun(place_of(i));
+  for (std::size_t k = 0; k < block_cells; k += hn::Lanes(d)) {
+    const F y = hn::Sub(hn::Add(row, hn::Load(d, cell_rows + k)), record(record::row));
+    const auto there = [&](F begin, int place) { return hn::Add(begin, hn::Mul(record(place + 2), y)); };
+    const F w = parallel ? set(1) : hn::Div(set(1), there(over_w, record::over_w));
+    const auto value = [&](std::size_t i) { return hn::Mul(there(light[i], place_of(i)), w); };
+    I colour;
+    if constexpr (grey)
+      colour = grey_of(value(0));
+    else
+      colour = packed_of({value(0), value(1), value(2)});
+    hn::Store(hn::BitCast(du, colour), du, colours + static_cast<std::size_t>(block * block_cells) + k);
+  }
 }
 
 bool light_some_blocks(const LitCells& lit_cells, const ShownBlock* blocks, std::size_t count,
                        const std::int32_t* ids_of_cells, std::uint32_t* colours) {
   const DI di;
   MI doubtful = hn::FirstN(di, 0);
+  const ShadingGroup& group = *lit_cells.group;
+  const bool planes_alone = holds_rows && !lit_cells.per_pixel && !group.has_texture();
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [block, triangles, ids, cells, slots] = blocks[i];
     const auto record = [&](std::size_t which) {
       const auto slot = static_cast<std::size_t>(slots[which]);
       return OneRecord{lit_cells.records[slot / block_cells].of(slot % block_cells)};
     };
+    if (planes_alone && cells[0] == block_cells) {
+      if (group.grey)
+        light_whole_block<true>(lit_cells, record(0), block, colours);
+      else
+        light_whole_block<false>(lit_cells, record(0), block, colours);
+      continue;
+    }
     for (std::size_t k = 0; k < block_cells; k += hn::Lanes(di)) {
       const I cell_ids = hn::Load(di, ids_of_cells + static_cast<std::size_t>(block * block_cells) + k);
       const auto of = [&](std::size_t which) { return hn::Eq(cell_ids, whole(ids[which])); };
