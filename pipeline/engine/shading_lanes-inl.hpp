@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "engine/shading.hpp"
 #include "engine/visibility_batch.hpp"
@@ -107,9 +108,9 @@ struct Uv {
 
 // Of each lane where the four texels of a level about (u, v) begin among all numbers of a texture: lower
 // left, lower right, upper left, upper right; and how far (u, v) is on the way to the right and up
-struct alignas(64) FourTexels {
-  std::int32_t begin[4][block_cells];
-  float right[block_cells], up[block_cells];
+struct FourTexels {
+  alignas(64) std::int32_t begin[4][block_cells];
+  F right, up;
 };
 
 // Two cells of an axis beside one another, from 0 to count - 1, and how far the place is from one to the next
@@ -148,7 +149,8 @@ HWY_INLINE I of_level(const std::array<std::int32_t, 16>& numbers, I level) {
   return hn::GatherIndex(DI(), numbers.data(), level);
 }
 
-HWY_INLINE void find_texels(const TextureLevels& texture, I level, const Uv& at, FourTexels& four) {
+// Not inline: lanes are to be loaded from memory, one by one, not taken out of registers
+HWY_NOINLINE inline void find_texels(const TextureLevels& texture, I level, const Uv& at, FourTexels& four) {
   const DI di;
   const I columns = of_level(texture.columns, level), rows = of_level(texture.rows, level),
           last = hn::Add(of_level(texture.begin, level), hn::Mul(hn::Sub(rows, whole(1)), columns));
@@ -162,44 +164,69 @@ HWY_INLINE void find_texels(const TextureLevels& texture, I level, const Uv& at,
   put(1, y.first, x.second);
   put(2, y.second, x.first);
   put(3, y.second, x.second);
-  hn::Store(x.part, D(), four.right);
-  hn::Store(y.part, D(), four.up);
+  four.right = x.part;
+  four.up = y.part;
 }
 
-// A texel and a number more, or with smaller registers a part of it
-using D4 = hn::CappedTag<float, 4>;
-using Texel = hn::Vec<D4>;
+// Registers of four numbers and more hold texels whole, and a number more: of four lanes, or eight, the
+// first, the fifth and so on at once. Others hold one number of a texel
+constexpr bool whole_texels = hn::MaxLanes(D()) >= 4;
 
-HWY_INLINE Texel mixed(Texel a, Texel b, float part) {
-  return hn::Add(a, hn::Mul(hn::Sub(b, a), hn::Set(D4(), part)));
-}
-// The four texels of a lane, from one of their numbers on
-HWY_INLINE Texel mixed_of(const float* texels, const FourTexels& four, std::size_t lane, std::size_t from) {
-  const auto texel = [&](int which) { return hn::LoadU(D4(), texels + four.begin[which][lane] + from); };
-  return mixed(mixed(texel(0), texel(1), four.right[lane]), mixed(texel(2), texel(3), four.right[lane]),
-               four.up[lane]);
+template <std::size_t lanes>
+HWY_INLINE auto loaded_texels(const float* texels, const std::int32_t* begin) {
+  const hn::CappedTag<float, lanes> d;
+  if constexpr (lanes <= 4)
+    return hn::LoadU(d, texels + *begin);
+  else
+    // Found by its arguments, as those below: targets of one lane do without
+    return Combine(d, loaded_texels<lanes / 2>(texels, begin + lanes / 2),
+                   loaded_texels<lanes / 2>(texels, begin));
 }
 
-// Colours of lanes, found one after the other: a register loads a texel whole
+// A number of each of those lanes beside its texel
+template <int lane, class Numbers>
+HWY_INLINE Numbers beside_texels(Numbers numbers) {
+  if constexpr (whole_texels)
+    return Broadcast<lane>(numbers);
+  else
+    return numbers;
+}
+
+HWY_INLINE F mixed(F a, F b, F part) { return hn::Add(a, hn::Mul(hn::Sub(b, a), part)); }
+
+// The four texels of lanes, the first of them `lane`, from one of their numbers on
+template <int lane>
+HWY_INLINE F mixed_of(const float* texels, const FourTexels& four, int from) {
+  const auto texel = [&](int which) {
+    return loaded_texels<hn::MaxLanes(D())>(texels + from, four.begin[which] + lane);
+  };
+  const F right = beside_texels<lane>(four.right), up = beside_texels<lane>(four.up);
+  return mixed(mixed(texel(0), texel(1), right), mixed(texel(2), texel(3), right), up);
+}
+
+// Colours of lanes: find(lane, from) as mixed_of
 template <class Find>
 HWY_INLINE Vec3 of_each_lane(const Find& find) {
   const D d;
-  alignas(64) float texels[4 * block_cells];
-  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-    for (std::size_t from = 0; from < 4; from += hn::Lanes(D4()))
-      hn::Store(find(lane, from), D4(), texels + 4 * lane + from);
-  Vec3 colours;
-  F rest;
-  hn::LoadInterleaved4(d, texels, colours.x, colours.y, colours.z, rest);
-  return colours;
+  const std::integral_constant<int, 0> first;
+  if constexpr (whole_texels) {
+    const auto of = [&](auto lane) { return find(lane, 0); };
+    const auto a = of(first), b = of(std::integral_constant<int, 1>()),
+               c = of(std::integral_constant<int, 2>()), e = of(std::integral_constant<int, 3>());
+    const auto xy_even = InterleaveLower(d, a, c), xy_odd = InterleaveLower(d, b, e),
+               z_even = InterleaveUpper(d, a, c), z_odd = InterleaveUpper(d, b, e);
+    return {InterleaveLower(d, xy_even, xy_odd), InterleaveUpper(d, xy_even, xy_odd),
+            InterleaveLower(d, z_even, z_odd)};
+  } else {
+    return {find(first, 0), find(first, 1), find(first, 2)};
+  }
 }
 
 // The mean of the four texels of the first level that lie about (u, v)
 HWY_INLINE Vec3 bilinear(const TextureLevels& texture, const Uv& at) {
   FourTexels four;
   find_texels(texture, hn::Zero(DI()), at, four);
-  return of_each_lane(
-      [&](std::size_t lane, std::size_t from) { return mixed_of(texture.texels, four, lane, from); });
+  return of_each_lane([&](auto lane, int from) { return mixed_of<lane()>(texture.texels, four, from); });
 }
 
 // side: the square of the footprint's longer side, in texels
@@ -215,11 +242,9 @@ HWY_INLINE Vec3 mip_mapped(const TextureLevels& texture, F square, const Uv& at)
   FourTexels finer, coarser;
   find_texels(texture, k, at, finer);
   find_texels(texture, next, at, coarser);
-  alignas(64) float parts[block_cells];
-  hn::Store(part, D(), parts);
-  return of_each_lane([&](std::size_t lane, std::size_t from) {
-    return mixed(mixed_of(texture.texels, finer, lane, from), mixed_of(texture.texels, coarser, lane, from),
-                 parts[lane]);
+  return of_each_lane([&](auto lane, int from) {
+    return mixed(mixed_of<lane()>(texture.texels, finer, from),
+                 mixed_of<lane()>(texture.texels, coarser, from), beside_texels<lane()>(part));
   });
 }
 
