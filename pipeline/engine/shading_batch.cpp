@@ -125,34 +125,91 @@ HWY_INLINE Vec3 light_of(const LitCells& lit_cells, const Records& records, F co
           hn::Add(scattered.z, highlight.z)};
 }
 
-template <class Records>
-HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F column, F row, MI& any_doubtful) {
-  M in_doubt;
-  const Vec3 light = light_of(lit_cells, records, column, row, in_doubt);
-  const ShadingGroup& group = *lit_cells.group;
-  const I packed = group.grey && !group.has_texture() ? grey_of(light.x) : packed_of(light);
-  const auto doubtful = hn::RebindMask(DI(), in_doubt);
-  any_doubtful = hn::Or(any_doubtful, doubtful);
-  return hn::IfThenZeroElse(doubtful, packed);
-}
+// Light that waits for its bytes. Processors look a few hundred instructions ahead: what many registers wait
+// for one after the other, light and then bytes, goes faster as all light first
+class Waiting {
+ public:
+  explicit Waiting(bool grey) : grey_(grey) {}
+
+  bool is_full() const { return count_ == most; }
+  HWY_INLINE void put(const Vec3& light, std::uint32_t* to) {
+    const D d;
+    auto& [red, green, blue] = light_[count_];
+    hn::Store(light.x, d, red.data());
+    if (!grey_) {
+      hn::Store(light.y, d, green.data());
+      hn::Store(light.z, d, blue.data());
+    }
+    to_[count_++] = to;
+  }
+  // own: lanes that get a colour. doubtful: those that get 0
+  HWY_INLINE void put(const Vec3& light, MI own, MI doubtful, std::uint32_t* to) {
+    const DI di;
+    hn::Store(hn::VecFromMask(di, own), di, own_[count_].data());
+    hn::Store(hn::VecFromMask(di, hn::Not(doubtful)), di, sure_[count_].data());
+    put(light, to);
+  }
+
+  // whole: own and sure are all lanes
+  template <bool whole>
+  HWY_INLINE void colour() {
+    if (grey_)
+      colour_by<whole>([](const Light& light) { return grey_of(hn::Load(D(), light[0].data())); });
+    else
+      colour_by<whole>([](const Light& light) {
+        const D d;
+        return packed_of(
+            {hn::Load(d, light[0].data()), hn::Load(d, light[1].data()), hn::Load(d, light[2].data())});
+      });
+    count_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t most = 32;
+  template <class T>
+  using Lanes = std::array<T, hn::MaxLanes(D())>;
+  using Light = std::array<Lanes<float>, 3>;
+
+  template <bool whole, class Colour>
+  HWY_INLINE void colour_by(const Colour& colour) {
+    const DI di;
+    const hn::RebindToUnsigned<DI> du;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const I packed = colour(light_[i]);
+      if constexpr (whole) {
+        hn::Store(hn::BitCast(du, packed), du, to_[i]);
+      } else {
+        const I sure = hn::And(packed, hn::Load(di, sure_[i].data()));
+        const MI own = hn::MaskFromVec(hn::Load(di, own_[i].data()));
+        store_own(hn::BitCast(du, sure), hn::RebindMask(du, own), du, to_[i]);
+      }
+    }
+  }
+
+  alignas(64) std::array<Light, most> light_;
+  alignas(64) std::array<Lanes<std::int32_t>, most> own_, sure_;
+  std::array<std::uint32_t*, most> to_;
+  std::size_t count_ = 0;
+  bool grey_;
+};
 
 alignas(64) constexpr float cell_columns[block_cells] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 alignas(64) constexpr float cell_rows[block_cells] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
-// Colours the cells of a block that are `own` of those from k on
+// Lights the cells of a block that are `own` of those from k on
 template <class Records>
 HWY_INLINE void light_block(const LitCells& lit_cells, const Records& records, std::int32_t block,
-                            std::size_t k, MI own, std::uint32_t* colours, MI& doubtful) {
+                            std::size_t k, MI own, std::uint32_t* colours, Waiting& waiting, MI& doubtful) {
   const D d;
-  const hn::RebindToUnsigned<DI> du;
   const auto column = static_cast<float>(block % blocks_across * block_side),
              row = static_cast<float>(block / blocks_across * block_side);
   const F x = hn::Add(set(column), hn::Load(d, cell_columns + k)),
           y = hn::Add(set(row), hn::Load(d, cell_rows + k));
-  MI in_doubt = hn::FirstN(DI(), 0);
-  const I colour = colour_of(lit_cells, records, x, y, in_doubt);
-  std::uint32_t* const to = colours + static_cast<std::size_t>(block * block_cells) + k;
-  store_own(hn::BitCast(du, colour), hn::RebindMask(du, own), du, to);
+  M unsure;
+  const Vec3 light = light_of(lit_cells, records, x, y, unsure);
+  const MI in_doubt = hn::RebindMask(DI(), unsure);
+  waiting.put(light, own, in_doubt, colours + static_cast<std::size_t>(block * block_cells) + k);
+  if (waiting.is_full()) waiting.colour<false>();
   doubtful = hn::Or(doubtful, hn::And(own, in_doubt));
 }
 
@@ -163,9 +220,8 @@ constexpr bool holds_rows = hn::MaxLanes(D()) % block_side == 0;
 // planes
 template <bool grey>
 HWY_INLINE void light_whole_block(const LitCells& lit_cells, OneRecord record, std::int32_t block,
-                                  std::uint32_t* colours) {
+                                  std::uint32_t* colours, Waiting& waiting) {
   const D d;
-  const hn::RebindToUnsigned<DI> du;
   constexpr std::size_t values = grey ? 1 : 3;
   const bool parallel = lit_cells.towards != glm::vec3(0);
   const F column = set(static_cast<float>(block % blocks_across * block_side)),
@@ -181,13 +237,14 @@ HWY_INLINE void light_whole_block(const LitCells& lit_cells, OneRecord record, s
     const auto there = [&](F begin, int place) { return hn::Add(begin, hn::Mul(record(place + 2), y)); };
     const F w = parallel ? set(1) : hn::Div(set(1), there(over_w, record::over_w));
     const auto value = [&](std::size_t i) { return hn::Mul(there(light[i], place_of(i)), w); };
-    I colour;
+    const F red = value(0);
+    std::uint32_t* const to = colours + static_cast<std::size_t>(block * block_cells) + k;
     if constexpr (grey)
-      colour = grey_of(value(0));
+      waiting.put({red, red, red}, to);
     else
-      colour = packed_of({value(0), value(1), value(2)});
-    hn::Store(hn::BitCast(du, colour), du, colours + static_cast<std::size_t>(block * block_cells) + k);
+      waiting.put({red, value(1), value(2)}, to);
   }
+  if (waiting.is_full()) waiting.colour<true>();
 }
 
 bool light_some_blocks(const LitCells& lit_cells, const ShownBlock* blocks, std::size_t count,
@@ -195,6 +252,8 @@ bool light_some_blocks(const LitCells& lit_cells, const ShownBlock* blocks, std:
   const DI di;
   MI doubtful = hn::FirstN(di, 0);
   const ShadingGroup& group = *lit_cells.group;
+  const bool grey = group.grey && !group.has_texture();
+  Waiting of_whole(grey), of_parts(grey);
   const bool planes_alone = holds_rows && !lit_cells.per_pixel && !group.has_texture();
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [block, triangles, ids, cells, slots] = blocks[i];
@@ -204,9 +263,9 @@ bool light_some_blocks(const LitCells& lit_cells, const ShownBlock* blocks, std:
     };
     if (planes_alone && cells[0] == block_cells) {
       if (group.grey)
-        light_whole_block<true>(lit_cells, record(0), block, colours);
+        light_whole_block<true>(lit_cells, record(0), block, colours, of_whole);
       else
-        light_whole_block<false>(lit_cells, record(0), block, colours);
+        light_whole_block<false>(lit_cells, record(0), block, colours, of_whole);
       continue;
     }
     for (std::size_t k = 0; k < block_cells; k += hn::Lanes(di)) {
@@ -215,7 +274,7 @@ bool light_some_blocks(const LitCells& lit_cells, const ShownBlock* blocks, std:
       const MI first = of(0);
       if (triangles == 1) {
         if (hn::AllFalse(di, first)) continue;
-        light_block(lit_cells, record(0), block, k, first, colours, doubtful);
+        light_block(lit_cells, record(0), block, k, first, colours, of_parts, doubtful);
         continue;
       }
       const MI second = of(1), third = of(2), own = hn::Or(first, hn::Or(second, third));
@@ -223,9 +282,11 @@ bool light_some_blocks(const LitCells& lit_cells, const ShownBlock* blocks, std:
       const D d;
       const BlendedRecords records{record(0), record(1), record(2), hn::RebindMask(d, second),
                                    hn::RebindMask(d, third)};
-      light_block(lit_cells, records, block, k, own, colours, doubtful);
+      light_block(lit_cells, records, block, k, own, colours, of_parts, doubtful);
     }
   }
+  of_whole.colour<true>();
+  of_parts.colour<false>();
   return !hn::AllFalse(di, doubtful);
 }
 
