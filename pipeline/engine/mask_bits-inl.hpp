@@ -39,7 +39,7 @@ HWY_INLINE void for_each_bit(std::uint32_t bits, const Visit& visit) {
 }
 
 // Stores the lanes that are own, and leaves others as they are: Highway's BlendedStore by whole registers,
-// since a store of some lanes takes processors of AMD as long as forty others. to: aligned
+// since a store of some lanes is microcode on processors of AMD. to: aligned
 template <class V, class D, class T>
 HWY_INLINE void store_own(V v, hn::Mask<D> own, D d, T* to) {
   hn::Store(hn::IfThenElse(own, v, hn::Load(d, to)), d, to);

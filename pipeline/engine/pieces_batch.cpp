@@ -53,7 +53,7 @@ template <std::size_t lanes>
 HWY_INLINE Corners corners_of(const ivec2* grid, const std::int32_t* numbers) {
   const hn::CappedTag<std::int32_t, lanes> d;
   if constexpr (lanes == 4 || lanes == 8) {
-    // Both numbers of a vertex at once: a gather takes processors of AMD as long as forty loads
+    // Both numbers of a vertex at once: a gather is microcode on processors of AMD
     const auto corner = [&](int which) -> Places {
       const auto lower = pairs_of<lanes / 2>(grid, numbers + which),
                  upper = pairs_of<lanes / 2>(grid, numbers + which + 3 * (lanes / 2));
