@@ -1,6 +1,7 @@
 #pragma once
 // What a drawing shows over all its steps: a paper is cut to it, and an arrangement is chosen for it.
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -37,5 +38,11 @@ struct Content {
 
 /// Of the recorded steps and what stands behind them.
 Content content_of(const Trace& trace);
+
+/// Entries of a legend, the i-th as the i-th bit.
+using LegendEntries = std::uint64_t;
+/// Which entries the recorded steps show together, each set once. None: it is not known, so all may be, where
+/// steps before were left out or there are more than bits.
+std::vector<LegendEntries> legends_of(const Trace& trace);
 
 }  // namespace gradus

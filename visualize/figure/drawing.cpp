@@ -5,10 +5,6 @@ namespace {
 
 constexpr std::int64_t most_dense_cells = std::int64_t{1} << 26;
 
-std::uint64_t key_of(ivec2 p) {
-  return (std::uint64_t{static_cast<std::uint32_t>(p.y)} << 32) | static_cast<std::uint32_t>(p.x);
-}
-
 bool fits_dense(const Window& cells) {
   return !cells.empty() && cells.width() <= most_dense_cells && cells.height() <= most_dense_cells &&
          cells.width() * cells.height() <= most_dense_cells;

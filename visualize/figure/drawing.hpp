@@ -88,6 +88,11 @@ struct CellLook {
   friend bool operator==(const CellLook&, const CellLook&) = default;
 };
 
+/// A cell as one number, another for each.
+constexpr std::uint64_t key_of(ivec2 p) {
+  return (std::uint64_t{static_cast<std::uint32_t>(p.y)} << 32) | static_cast<std::uint32_t>(p.x);
+}
+
 /// A cell that changes its look; nothing: back to the bare grid.
 struct CellChange {
   ivec2 at;

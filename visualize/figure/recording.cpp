@@ -118,6 +118,7 @@ void measure_texts(Trace& trace) {
   trace.widest.assign(trace.columns.size(), "");
   trace.changes.assign(trace.columns.size(), 0);
   trace.content = content_of(trace);
+  trace.legends = legends_of(trace);
   Row last;
   double longest = 0;
   for (const TraceStep& step : trace.steps) {

@@ -147,10 +147,11 @@ struct Trace {
   std::vector<std::string> widest;  ///< a column each: the longest text it holds, so that tables keep still
   std::vector<int> changes;         ///< a column each: how often its text is another than in the row before
   Content content;                  ///< what the recorded steps draw
-  std::string longest_sentence;     ///< of the recorded steps: for how many lines the sentence needs
-  std::vector<int> lines;           ///< the source lines that reported steps, ascending
-  std::int64_t last = 0;            ///< number of the run's last step, recorded or not
-  bool whole() const;               ///< whether every step of the run is in `steps`
+  std::vector<LegendEntries> legends;  ///< of the recorded steps: see legends_of
+  std::string longest_sentence;        ///< of the recorded steps: for how many lines the sentence needs
+  std::vector<int> lines;              ///< the source lines that reported steps, ascending
+  std::int64_t last = 0;               ///< number of the run's last step, recorded or not
+  bool whole() const;                  ///< whether every step of the run is in `steps`
 
   std::vector<Field> result;
   std::vector<ivec2> pixels;  ///< rasters: the pixels that were set, in order (as many as were recorded)

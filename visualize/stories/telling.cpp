@@ -10,10 +10,6 @@
 namespace gradus {
 namespace {
 
-std::uint64_t key_of(ivec2 p) {
-  return std::uint64_t{static_cast<std::uint32_t>(p.x)} << 32 | static_cast<std::uint32_t>(p.y);
-}
-
 Said said(const Value& value) {
   if (const bool* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;

@@ -23,15 +23,14 @@ const Flag output_folder{"output", 'o', "DIR",
 const Flag step{
     "step", 0, "N",
     "one step: a number like 4, 4.1 for a finer event after it, or last; default: one that decides"};
-const Flag steps{
-    "steps", 0, "LIST",
-    "several: 3-9, or 1,4,9-12; 0-100/5 takes every fifth; auto: the input, the first that decides of each "
-    "phase and of each kind of branch, the result"};
+const Flag steps{"steps", 0, "LIST",
+                 "several: 3-9, or 1,4,9-12; 0-100/5 takes every fifth; auto: the input, the most telling "
+                 "one, one of each kind of branch and of each phase, the result"};
 const Flag panels{"panels", 0, "LIST",
                   "several drawings on one sheet: phases, one for each; or 2 to 8 steps like 1,4,9"};
 const Flag compare{"compare", 0, "METHOD",
                    "beside another run: a method, another topic with the same inputs, or other inputs like "
-                   "'--method NAME'; shows where they first differ"};
+                   "'--method NAME'; shows where they first differ, of two right runs their results"};
 const Flag trace{
     "trace", 0, "FILE",
     "beside somebody's own answer: results.json, results.json#CASE of several, or a table like mine.csv "

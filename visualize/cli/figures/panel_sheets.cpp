@@ -25,6 +25,7 @@ Trace banner_of(const Trace& trace) {
   banner.faulty = trace.faulty;
   banner.wording = trace.wording;
   banner.legend = trace.legend;
+  banner.legends = trace.legends;
   banner.longest_sentence = trace.goal;
   return banner;
 }
@@ -111,7 +112,7 @@ std::optional<dvec2> differing_cell(const Figure& a, const Figure& b) {
     for (const CellChange& change : told_step(*figure).delta.cells) cells.push_back(change.at);
   }
   const auto differs = [&](ivec2 p) {
-    return a.trace->grid.cells.contains(p) && a.canvas->at(p) != b.canvas->at(p);
+    return a.trace->grid.own().contains(p) && a.canvas->at(p) != b.canvas->at(p);
   };
   const auto found = std::ranges::find_if(cells, differs);
   return found == cells.end() ? std::nullopt : std::optional(dvec2(*found));

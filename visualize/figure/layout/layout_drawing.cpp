@@ -303,8 +303,8 @@ class DrawingLayout {
       const double spare = 0.2 * size;  // above capitals and, but for tails, below the line
       const Box letters{box.x, box.y + spare, box.width, box.height - 2 * spare};
       if (at_.among_many && lies_on_a_line(letters)) continue;  // the size never gives way, names do
-      const auto lies_on = [](const std::vector<Box>& texts, const Box& box) {
-        return std::ranges::any_of(texts, [&](const Box& other) { return overlap(box, other); });
+      const auto lies_on = [](const std::vector<Box>& texts, const Box& mine) {
+        return std::ranges::any_of(texts, [&](const Box& other) { return overlap(mine, other); });
       };
       if (!inside(letters, grown(at_.labels, s_)) || lies_on(free_.texts, apart) ||
           lies_on(written_.texts, box))

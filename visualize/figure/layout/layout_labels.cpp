@@ -137,12 +137,11 @@ std::optional<PlacedLabel> place_label(const Obstacles& obstacles, const Box& ro
 double ring_radius(const Obstacles& obstacles, dvec2 at, double most, double scale) {
   double radius = most;
   for (const Box& text : obstacles.texts) {
-    const dvec2 nearest = glm::clamp(at, {text.x, text.y}, {text.right(), text.bottom()});
-    const double free = glm::distance(at, nearest) - 6 * scale;
-    // A text that the whole ring surrounds, a number in a cell, is no obstacle
-    const double farthest =
-        std::max(glm::distance(at, {text.x, text.y}), glm::distance(at, {text.right(), text.bottom()}));
-    if (farthest + 4 * scale > radius) radius = std::min(radius, free);
+    const dvec2 upper{text.x, text.y}, lower{text.right(), text.bottom()};
+    const double nearest = glm::distance(at, glm::clamp(at, upper, lower)),
+                 farthest = glm::length(glm::max(glm::abs(upper - at), glm::abs(lower - at)));
+    // A number in a cell, which the ring surrounds, is no obstacle
+    if (farthest + 4 * scale > radius) radius = std::min(radius, nearest - 6 * scale);
   }
   return radius < 10 * scale ? 0 : radius;
 }
