@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figure/tone_of.hpp"
+
 namespace gradus {
 namespace {
 
@@ -125,6 +127,15 @@ Image pixels_of(const ImageShape& shape, const Theme& theme) {
       const std::uint32_t mark = theme[static_cast<Role>(shape.roles[p] - 1)].mark.hex;
       pixels[p] = {static_cast<std::uint8_t>(mark >> 16), static_cast<std::uint8_t>(mark >> 8),
                    static_cast<std::uint8_t>(mark), 255};
+    }
+  }
+  if (theme.name != "greyscale") return pixels;
+  for (int y = 0; y < pixels.height(); ++y) {
+    for (int x = 0; x < pixels.width(); ++x) {
+      Rgba8& pixel = pixels[{x, y}];
+      const LinearRgb light = linear_from_srgb8(pixel);
+      const Rgba8 grey = tone_of(0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z);
+      pixel = {grey.r, grey.g, grey.b, pixel.a};
     }
   }
   return pixels;

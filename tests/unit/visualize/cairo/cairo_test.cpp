@@ -392,6 +392,16 @@ TEST(CairoOutput, PngHoldsTheFigure) {
   EXPECT_GT(ink, 5000u);
 }
 
+TEST(CairoOutput, GreyscaleIsGreyInEveryPixel) {
+  const Trace trace = test::trace_of("z_buffer");
+  const std::string png = png_of(sheet_at(trace, trace.telling), *find_theme("greyscale"), hostile_colophon);
+  const Image image = decode_png({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()}, "figure");
+  for (const Rgba8& pixel : image.cells()) {
+    ASSERT_EQ(pixel.r, pixel.g);
+    ASSERT_EQ(pixel.g, pixel.b);
+  }
+}
+
 TEST(CairoOutput, EveryThemeDrawsEveryTellingTrace) {
   for (const Trace* each : some_traces()) {
     const Trace& trace = *each;
