@@ -29,16 +29,17 @@ int PictureShelf::width() const {
   return look_.part ? std::max(look_.size.x, look_.part->size.x * look_.part->magnified) : look_.size.x;
 }
 int PictureShelf::height() const {
-  return look_.size.y + (look_.part ? look_.gap + look_.part->size.y * look_.part->magnified : 0);
+  return look_.size.y + look_.plot +
+         (look_.part ? look_.gap + look_.part->size.y * look_.part->magnified : 0);
 }
 
 ivec2 PictureShelf::corner(std::size_t k) const {
   const auto column = static_cast<int>(k % columns());
   const std::size_t row = k / columns(), from_below = rows() - 1 - row;
   const int step = look_.heading + height();
-  return {
-      1 + column * (width() + look_.gap) + (width() - look_.size.x) / 2,
-      look_.y_up ? 1 + static_cast<int>(from_below) * step : look_.heading + static_cast<int>(row) * step};
+  return {1 + column * (width() + look_.gap) + (width() - look_.size.x) / 2,
+          look_.y_up ? 1 + look_.plot + static_cast<int>(from_below) * step
+                     : look_.heading + static_cast<int>(row) * step};
 }
 ivec2 PictureShelf::below(std::size_t k) const {
   const int side = (look_.size.x - look_.part->size.x * look_.part->magnified) / 2;

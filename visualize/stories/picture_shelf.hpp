@@ -37,6 +37,7 @@ class PictureShelf {
     int row = 0;                     ///< so many stand beside each other; 0: all
     int gap = 2, heading = 3;        ///< between pictures, and above each for its name
     bool y_up = false;               ///< rows of pictures count upwards
+    int plot = 0;                    ///< with y_up: so many rows below each picture, for marks
     std::optional<Part> part{};
   };
   /// The drawing gets the cells that all of them take.
@@ -48,6 +49,12 @@ class PictureShelf {
   void wait(std::size_t k, Role role, const std::vector<dvec2>& ring);
   /// The same: the rim of the picture.
   void wait(std::size_t k, Role role = Role::past);
+  /// A mark of the k-th picture's, whose places are on_paper.
+  void mark(std::size_t k, std::string_view id, Role role, decltype(Mark::shape) shape) {
+    view_.add({fmt::format("m {} {}", k, id), role, std::move(shape)});
+  }
+  /// Where the k-th picture has a place, on the drawing or beside it.
+  dvec2 on_paper(std::size_t k, dvec2 place) const { return dvec2(corner(k)) - 0.5 + place; }
   /// Round each picture, from now on.
   void frame(Role role);
 
@@ -62,7 +69,6 @@ class PictureShelf {
  private:
   ivec2 corner(std::size_t k) const;
   ivec2 below(std::size_t k) const;
-  dvec2 on_paper(std::size_t k, dvec2 place) const { return dvec2(corner(k)) - 0.5 + place; }
   int width() const;
   int height() const;
   std::size_t columns() const;

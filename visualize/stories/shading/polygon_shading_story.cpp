@@ -30,10 +30,14 @@ class ShadeStory {
   void show(Board& board, const steps::Started&) {
     board.milestone();
     for (std::size_t f = 0; f < subject_.rings.size(); ++f) {
-      if (!subject_.looks_away(f)) board.keep(fmt::format("a face {:03}", f), Role::past, outline(f));
+      if (subject_.looks_away(f)) continue;
+      board.keep(fmt::format("a face {:03}", f), Role::past, outline(f));
+      for (std::size_t k = 0; k < subject_.rings[f].size(); ++k) {
+        const std::size_t v = subject_.vertex(f, k);
+        keep_vertex(board, v,
+                    subject_.given.empty() ? std::nullopt : std::optional(subject_.lit(f, {})[k].value));
+      }
     }
-    for (std::size_t v = 0; subject_.rings.size() == 1 && v < subject_.places.size(); ++v)
-      keep_vertex(board, v);
   }
   Event say(const steps::Started&) const {
     return {.text = subject_.given.empty() ? "started" : "started.given",
@@ -57,7 +61,7 @@ class ShadeStory {
   void show(Board& board, const VertexLit<double>& v) {
     board.milestone();
     ++lights_;
-    keep_vertex(board, v.vertex);
+    keep_vertex(board, v.vertex, v.colour);
   }
   Event say(const VertexLit<double>& v) const {
     return {.text = "vertex",
@@ -74,7 +78,9 @@ class ShadeStory {
     board.milestone();
     ++lights_;
     middle_ = p.middle;
-    board.mark("m middle", Role::current, Dot{drawn(subject_.on_screen(p.middle.place))});
+    const dvec2 at = drawn(subject_.on_screen(p.middle.place));
+    board.mark("m middle", Role::current, Dot{at});
+    board.mark("m light", Role::current, Label{at, figure_real(p.colour)});
   }
   Event say(const PolygonLit<double, double>& p) const {
     return {.text = "polygon",
@@ -95,6 +101,7 @@ class ShadeStory {
     right_ = {r.right.x, r.row + 0.5};
     board.keep("s line", Role::measure, Stroke{drawn(left_), drawn(right_), false, false, true});
     ends_ = {value_text(r.at_left), value_text(r.at_right)};
+    if constexpr (std::same_as<Value, double>) values_ = {" " + ends_[0], " " + ends_[1]};
     put_ends(board);
   }
   template <class Value>
@@ -112,14 +119,16 @@ class ShadeStory {
     board.detail(s.pixel);
     shown_[{s.pixel.x, s.pixel.y}] = s.colour;
     if constexpr (std::same_as<Value, Point>) ++lights_;
-    board.put(s.pixel, Role::result, cell_text(s.colour), tone_of(s.colour));
+    board.put(s.pixel, Role::result, "", tone_of(s.colour));
     if (s.gamma > 0.4 && row_ >= subject_.size.y / 2 - 1) board.tells(1);  // in the middle of the picture
     put_ends(board);
-    const dvec2 at(s.pixel);
-    board.mark(
-        "p pixel", Role::current,
-        Path{{at + dvec2{-0.5, -0.5}, at + dvec2{0.5, -0.5}, at + dvec2{0.5, 0.5}, at + dvec2{-0.5, 0.5}},
-             true});
+    const dvec2 at(s.pixel), rest{at.x + 0.5, at.y}, right = drawn(right_);
+    if (rest.x < right.x)  // what of the line is still to come
+      board.keep("s line", Role::measure, Stroke{rest, right, false, false, true});
+    else
+      board.remove("s line");
+    board.mark("p pixel", Role::current, Path{Extent{at - 0.5, at + 0.5}.corners(), true});
+    board.mark("p value", Role::current, Label{at, figure_real(s.colour)});
   }
   template <class Value>
   Event say(const Shaded<double, Value, double>& s) const {
@@ -155,7 +164,9 @@ class ShadeStory {
     board.remove("s line");
     if (subject_.rings.size() > 1) board.remove("b face");
     if (worst_.difference < 0.005) return;
-    board.mark("w worst", Role::rejected, Dot{dvec2(worst_.pixel), true});
+    const dvec2 at(worst_.pixel);
+    board.mark("w worst", Role::rejected, Dot{at, true});
+    board.mark("w difference", Role::rejected, Label{at, "± " + figure_real(worst_.difference)});
   }
   Event say(const steps::Finished&) const {
     if (!subject_.given.empty()) return {.text = "finished.given", .words = {{"pixels", shown_.size()}}};
@@ -168,12 +179,6 @@ class ShadeStory {
  private:
   /// Cells have their centres at whole numbers.
   static dvec2 drawn(dvec2 screen) { return screen - 0.5; }
-  /// ".55", where pixels have room for it.
-  std::string cell_text(double colour) const {
-    if (subject_.rings.size() > 4 || std::max(subject_.size.x, subject_.size.y) > 12) return "";
-    const std::string text = short_text(colour);
-    return text.starts_with("0.") ? text.substr(1) : text;
-  }
   std::string name() const { return subject_.named[face_].name; }
   Path outline(std::size_t face) const {
     Path path{{}, true};
@@ -182,17 +187,14 @@ class ShadeStory {
     return path;
   }
   std::string vertex(std::size_t corner) const { return letter(subject_.vertex(face_, corner)); }
-  /// The vertex with its name, away from the middle of all.
-  void keep_vertex(Board& board, std::size_t vertex) const {
-    dvec2 middle{0};
-    for (const dvec3 p : subject_.places)
-      middle += subject_.on_screen(p) / static_cast<double>(subject_.places.size());
-    const dvec2 at = subject_.on_screen(subject_.places[vertex]), way = at - middle;
-    const double length = length_of(way);
+  /// The vertex with its name and its intensity, where there are few.
+  void keep_vertex(Board& board, std::size_t vertex, std::optional<double> light) const {
+    const dvec2 at = drawn(subject_.on_screen(subject_.places[vertex]));
     const std::string name = letter(vertex);
-    board.keep("v " + name, Role::input, Dot{drawn(at)});
-    if (length > 1e-9)
-      board.keep("v " + name + " name", Role::input, Text{drawn(at + 0.6 / length * way), name});
+    board.keep("v " + name, Role::input, Dot{at});
+    if (subject_.places.size() <= 8)
+      board.keep("v " + name + " name", Role::input,
+                 Label{at, light ? name + " " + figure_real(*light) : name});
   }
   std::string edge(const End<double>& end) const { return vertex(end.lower) + vertex(end.upper); }
   /// Which of the face's edges the scan line meets first.
@@ -212,16 +214,12 @@ class ShadeStory {
   static std::string_view row_key(const Point&) { return "row.phong"; }
   static std::string value_text(double colour) { return figure_real(colour); }
   static std::string value_text(const Point& point) { return figure_place(point.normal); }
-  /// A place with its name beside it.
-  void put_name(Board& board, const std::string& id, Role role, dvec2 at, dvec2 aside,
-                std::string name) const {
-    board.mark(id, role, Dot{drawn(at)});
-    board.mark(id + " name", role, Text{drawn(at) + aside, std::move(name)});
-  }
   void put_ends(Board& board) const {
     if (middle_) return;
-    put_name(board, "e left", Role::measure, left_, {-0.5, 0}, "L");
-    put_name(board, "e right", Role::measure, right_, {0.5, 0}, "R");
+    for (const auto& [name, at, value] : {std::tuple{"L", left_, values_[0]}, {"R", right_, values_[1]}}) {
+      board.mark(fmt::format("e {}", name), Role::measure, Dot{drawn(at)});
+      board.mark(fmt::format("e {} value", name), Role::measure, Label{drawn(at), name + value});
+    }
   }
 
   const Words& words_;
@@ -230,7 +228,7 @@ class ShadeStory {
   std::optional<Point> middle_{};  ///< of a face that is lit once
   int row_ = 0;
   dvec2 left_{}, right_{};
-  std::array<std::string, 2> ends_{};
+  std::array<std::string, 2> ends_{}, values_{};  ///< of L and R, in the sentence and in the drawing
   Picture shown_{};
   std::int64_t lights_ = 0;
   Worst worst_{};
@@ -386,8 +384,8 @@ const TopicEntry& entry() {
                    "what the picture shows, in the faces' x and y; without it all of them, and a pixel "
                    "beside them",
                    {"xmin", "ymin", "xmax", "ymax"}, modest),
-            numbers("light", "5,4,3", "0,0,2", "where the lamp stands", xyz, modest),
-            numbers("eye", "5,4,8", "0,0,2", "where the viewer is, for the highlight", xyz, modest),
+            numbers("light", "0,4,3", "0,0,2", "where the lamp stands", xyz, modest),
+            numbers("eye", "8,4,3", "0,0,2", "where the viewer is, for the highlight", xyz, modest),
             number("ka", "0.1", "0.2", "the share of ambient light", {1e-6, 1}),
             number("kd", "0.7", "0.5", "the share that is scattered", {1e-6, 1}),
             number("ks", "0.2", "0.4", "the share in the highlight", {1e-6, 1}),

@@ -180,7 +180,4 @@ inline Worst worst_of(const Picture& shown, const Picture& right) {
   return worst;
 }
 
-/// With two digits, as pixels have room for.
-inline std::string short_text(double intensity) { return figure_real(std::round(intensity * 100) / 100); }
-
 }  // namespace gradus::polygon_shading
