@@ -63,8 +63,8 @@ inline void add_arrow(View& view, const std::string& id, Role role, dvec2 from, 
 
 /// A caption in the middle above a part of the paper.
 inline void add_caption(View& view, const std::string& id, const Extent& below, const std::string& text,
-                        double above = 1.1) {
-  view.add({id, Role::guide, Text{{below.centre().x, below.upper.y + above}, text}});
+                        double above = 1.1, bool aside = false) {
+  view.add({id, Role::guide, Text{{below.centre().x, below.upper.y + above}, text, Align::centre, aside}});
 }
 
 }  // namespace gradus

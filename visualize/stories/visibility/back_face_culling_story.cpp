@@ -14,9 +14,10 @@ namespace {
 
 constexpr int paper_width = 36, paper_height = 26;
 /// Of the paper: space above, the picture and a plane below it; or a large picture, space beside it.
-constexpr Extent space_place{{0.4, 10.4}, {35.6, 25.8}}, clip_place{{0.4, 10.4}, {35.6, 25}},
-    picture_place{{0.4, 0.2}, {16.4, 7.8}}, lower_place{{19.6, 0.2}, {35.6, 7.8}},
-    large_place{{0.4, 0.4}, {21.4, 25.6}}, beside_place{{23, 8}, {35.6, 22}};
+constexpr Extent space_place{{0.4, 10.4}, {16.8, 25}}, clip_place{{0.4, 10.4}, {35.6, 25}},
+    picture_place{{0.4, 0.2}, {13, 7.4}}, lower_place{{19.6, 0.2}, {35.6, 7.8}},
+    section_place{{18.4, 2}, {35.6, 21}}, large_place{{0.4, 0.4}, {21.4, 25.6}},
+    beside_place{{23, 8}, {35.6, 22}};
 
 /// What a method goes by.
 enum class By { product, area, determinant, depth };
@@ -126,16 +127,16 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
     picture_.add(view, looks);
     if (by_ == By::area) picture_.add_names(view, looks);
     if (by_ == By::area || !picture_.empty())
-      add_caption(view, "z caption", in_space() ? picture_place : beside_place,
-                  words_.say(by_ == By::area          ? "caption.space"
-                             : by_ == By::determinant ? "caption.divided"
-                                                      : "caption.picture"));
+      caption(view, "z caption", in_space() ? picture_place : beside_place,
+              by_ == By::area          ? "caption.space"
+              : by_ == By::determinant ? "caption.divided"
+                                       : "caption.picture");
     if (now<Finished>() && in_space() && !faulty_) {
       if (const auto hidden = hidden_front()) space_.add_sight(view, hidden->second);
     }
     if (face() == none) return view;
     if (by_ == By::product || by_ == By::depth)
-      add_plane(view);
+      add_plane(view, looks);
     else
       add_turn(view);
     if (by_ == By::determinant) add_depths(view);
@@ -202,11 +203,16 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
 
   // --- The drawing
 
+  /// Above a part of the paper; a panel among many has no room for it.
+  void caption(View& view, const std::string& id, const Extent& below, std::string_view key) const {
+    add_caption(view, id, below, words_.say(key), 1.1, true);
+  }
   Look look_of(std::size_t i) const {
-    if (i == face() && !judged()) return {Role::current, true, false, true, 3};
-    if (!sign_of(i)) return {Role::past, false, false, in_space(), 1};
-    if (*sign_of(i) <= 0) return {Role::rejected, false, true, i == face(), 0};
-    return {now<Finished>() ? Role::result : Role::accepted, true, false, true, 2};
+    const bool its = i == face();
+    if (its && !judged()) return {Role::current, false, its, 3};
+    if (!sign_of(i)) return {Role::past, false, its, 1};
+    if (*sign_of(i) <= 0) return {Role::rejected, true, its, 0};
+    return {now<Finished>() ? Role::result : Role::accepted, false, its, 2};
   }
   void add_turn(View& view) const {
     if (const auto* triangle = since<TriangleAdded<double>, Judged<double>>())
@@ -215,14 +221,13 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
     const Role role = !judged() ? Role::current : judged()->sign > 0 ? Role::accepted : Role::rejected;
     picture_.add_turn(view, face(), role, by_ == By::determinant);
   }
-  void add_plane(View& view) const {
-    std::optional<dvec3> to_eye = taken_view(), along_z;
-    if (by_ == By::depth) along_z = -subject_.frame.forward;
-    if (by_ == By::depth && judged()) to_eye = view_vector<double>(subject_.rings[face()], subject_.eye);
+  void add_plane(View& view, const std::vector<Look>& looks) const {
+    const bool seen = by_ == By::depth ? judged() != nullptr : taken_view().has_value();
     space_.add_normal(view, face(), drawn_normal());
-    if (to_eye) space_.add_view(view, face());
-    add_edge_on(view, lower_place, drawn_normal(), to_eye, along_z);
-    add_caption(view, "z caption plane", lower_place, words_.say("caption.plane"));
+    if (seen) space_.add_view(view, face());
+    add_section(view, section_place, subject_, looks, face(), drawn_normal(), seen,
+                by_ == By::depth ? std::optional(-subject_.frame.forward) : std::nullopt);
+    caption(view, "z caption plane", section_place, "caption.plane");
   }
   /// Where the corners of the face lie in front of the eye and behind it.
   void add_depths(View& view) const {
@@ -241,7 +246,7 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
     for (std::size_t k = 0; k < ring.size(); ++k)
       view.add_named(fmt::format("w corner {:02}", k), Role::current, line.at(ring[k].z),
                      fmt::format("{}", k + 1));
-    add_caption(view, "z caption depth", lower_place, words_.say("caption.depth"));
+    caption(view, "z caption depth", lower_place, "caption.depth");
   }
 
   const Words& words_;

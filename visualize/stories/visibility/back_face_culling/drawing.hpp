@@ -74,7 +74,7 @@ inline Subject subject_of(const Arguments& arguments) {
 /// How a face looks by now.
 struct Look {
   Role role = Role::past;
-  bool filled = false, dashed = false, named = true;
+  bool dashed = false, at_hand = false;
   int rank = 0;  ///< of two faces, the higher one draws the edge between them
 };
 
@@ -112,8 +112,8 @@ class SpacePicture {
   SpacePicture(const Subject& subject, const Extent& place, bool of_clip_space)
       : subject_(subject),
         of_clip_space_(of_clip_space),
-        reader_(unit_vector(-0.55 * subject.frame.forward + 0.8 * subject.frame.right +
-                            (of_clip_space ? 0.65 : 0.3) * subject.frame.up)),
+        reader_(unit_vector(-0.2 * subject.frame.forward - 0.9 * subject.frame.right +
+                            (of_clip_space ? 0.65 : 0.4) * subject.frame.up)),
         panel_(place, {}) {
     Extent extent;
     for (const Ring& ring : subject.rings) {
@@ -129,7 +129,7 @@ class SpacePicture {
   void add(View& view, const std::vector<Look>& looks) const {
     SpaceDrawing drawing(reader_.look(panel_));
     for (std::size_t i = 0; i < subject_.rings.size(); ++i) {
-      if (looks[i].filled) add_face(drawing, fmt::format("b {:03}", i), looks[i].role, subject_.rings[i]);
+      add_face(drawing, fmt::format("b {:03}", i), looks[i].role, subject_.rings[i]);
     }
     std::size_t number = 0;
     for (const auto& [look, a, b] : edges_by_rank(subject_.rings, looks)) {
@@ -138,7 +138,8 @@ class SpacePicture {
                             .a = a,
                             .b = b,
                             .dashed = look.dashed,
-                            .thin = look.dashed});
+                            .thin = look.dashed,
+                            .behind = look.at_hand});
     }
     number = 0;
     for (const auto& [a, b] : sides_of(eye_plane())) {
@@ -150,10 +151,12 @@ class SpacePicture {
                             .thin = true});
     }
     drawing.add_to(view, "a");
+    // A name stands on what it names, where that is seen
+    const HiddenLines lines(subject_.rings, distant_viewer(reader_.towards), subject_.radius);
     for (std::size_t i = 0; i < looks.size(); ++i) {
-      if (looks[i].named)
-        view.add(
-            {fmt::format("n {:03}", i), looks[i].role, Text{at(subject_.inside(i)), subject_.faces[i].name}});
+      const dvec3 p = subject_.inside(i);
+      if (!lines.pieces(p, p + 1e-3 * (subject_.rings[i][0] - p)).front().hidden)
+        view.add({fmt::format("n {:03}", i), looks[i].role, Text{at(p), subject_.faces[i].name}});
     }
     if (subject_.eye_is_near()) view.add_named("e eye", Role::boundary, at(dvec3(subject_.eye)), "E");
   }
@@ -222,7 +225,7 @@ class EyePicture {
 
   void add(View& view, const std::vector<Look>& looks) const {
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
-      if (looks[i].filled)
+      if (looks[i].rank >= 2)
         view.add({fmt::format("q {:03} inside", i), looks[i].role, Area{{panel_.at(outlines_[i])}, 1}});
     }
     std::size_t number = 0;
@@ -233,7 +236,7 @@ class EyePicture {
   }
   void add_names(View& view, const std::vector<Look>& looks) const {
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
-      if (!looks[i].named) continue;
+      if (looks[i].rank == 0) continue;
       const dvec3 place = subject_.in_view(subject_.inside(i));
       const dvec2 at = panel_.at(dvec2(place) / (subject_.distant ? 1 : place.z));
       view.add({fmt::format("r {:03} name", i), looks[i].role, Text{at, subject_.faces[i].name}});
@@ -262,37 +265,81 @@ class EyePicture {
   Panel panel_;
 };
 
-// --- One plane
+// --- A section
 
-/// A face's plane edge-on: its normal upwards, the view vector at its true angle.
+/// The faces cut by a plane through the eye and a face's middle, along that face's normal, which points
+/// upwards: there the angle is true, and the eye is above the face that it sees.
 /// along_z: from the face against the view direction, where that is taken for the view vector.
-inline void add_edge_on(View& view, const Extent& place, dvec3 normal, std::optional<dvec3> to_eye,
+inline void add_section(View& view, const Extent& place, const Subject& subject,
+                        const std::vector<Look>& looks, std::size_t face, dvec3 normal, bool with_view,
                         std::optional<dvec3> along_z) {
-  const Panel panel(place, {{-1.25, -1.1}, {1.25, 1.1}});
-  const auto at = [&](double x, double y) { return panel.at(dvec2{x, y}); };
-  view.add({"e plane", Role::current, Stroke{at(-1.25, 0), at(1.25, 0)}});
-  view.add_named("e point", Role::current, at(0, 0), "P");
-  view.add({"e front", Role::guide, Text{at(-1.2, 0.22), "+"}});
-  view.add({"e behind", Role::guide, Text{at(-1.2, -0.22), "−"}});
   if (normal == dvec3{0}) return;
-  add_arrow(view, "e normal", Role::input, at(0, 0), at(0, 1), "N");
-  if (!to_eye || *to_eye == dvec3{0}) return;
-  const dvec3 up = unit_vector(normal), way = unit_vector(*to_eye);
-  const double cosine = std::clamp(glm::dot(up, way), -1.0, 1.0), turn = gradus::acos(cosine);
-  add_arrow(view, "e view", Role::measure, at(0, 0), at(std::sqrt(1 - cosine * cosine), cosine), "V");
-  if (along_z) {
-    const dvec3 across = unit_vector(way - cosine * up);
-    add_arrow(view, "e z", Role::rejected, at(0, 0), at(glm::dot(*along_z, across), glm::dot(*along_z, up)),
-              "−z");
+  const dvec3 middle = subject.inside(face), up = unit_vector(normal);
+  const dvec3 whole = view_vector<double>(std::span(&middle, 1), subject.eye);
+  const dvec3 to_eye = subject.eye_is_near() ? whole : 1.5 * subject.radius * unit_vector(whole);
+  const double cosine = std::clamp(glm::dot(up, unit_vector(whole)), -1.0, 1.0);
+  dvec3 across = to_eye - glm::dot(to_eye, up) * up;
+  if (length_of(across) < 1e-6 * length_of(to_eye))
+    across = glm::cross(
+        up, std::abs(glm::dot(up, subject.frame.up)) < 0.9 ? subject.frame.up : subject.frame.right);
+  across = unit_vector(across);
+  const dvec3 aside = glm::cross(up, across);
+  const auto flat = [&](dvec3 way) { return dvec2{glm::dot(way, across), glm::dot(way, up)}; };
+
+  struct Piece {
+    std::size_t face;
+    dvec2 a, b;
+  };
+  std::vector<Piece> pieces;
+  Extent extent;
+  const double tip = 0.45 * subject.radius;
+  for (const dvec2 p : {flat(to_eye), dvec2{0, tip}, dvec2{-tip, 0}, dvec2{tip, 0}}) extent.add(p);
+  for (std::size_t i = 0; i < subject.rings.size(); ++i) {
+    Ring2 cuts;
+    for (const auto& [a, b] : sides_of(subject.rings[i])) {
+      const double from = glm::dot(a - middle, aside), to = glm::dot(b - middle, aside);
+      if ((from > 0) != (to > 0)) cuts.push_back(flat(a + from / (from - to) * (b - a) - middle));
+    }
+    if (cuts.empty()) continue;
+    std::ranges::sort(cuts, {}, [&](dvec2 p) { return glm::dot(p - cuts[0], cuts[1] - cuts[0]); });
+    for (std::size_t k = 0; k + 1 < cuts.size(); k += 2) pieces.push_back({i, cuts[k], cuts[k + 1]});
+    for (const dvec2 p : cuts) extent.add(p);
   }
+  const Panel panel(place, widened(extent, 0.08));
+  const auto at = [&](dvec2 p) { return panel.at(p); };
+  std::size_t number = 0;
+  for (const auto& [i, a, b] : pieces) {
+    const std::string id = fmt::format("e cut {:03}", number++);
+    const bool its = i == face;
+    view.add({id, its ? Role::current : looks[i].role, Stroke{at(a), at(b), false, false, !its}});
+    if (!its) view.add({id + " name", looks[i].role, Label{at(0.5 * (a + b)), subject.faces[i].name}});
+    const dvec2 out = flat(unit_vector(newell_normal<double>(subject.rings[i])));
+    if (!its && length_of(out) > 0.2)
+      view.add({id + " normal", looks[i].role,
+                Stroke{at(0.5 * (a + b)), at(0.5 * (a + b) + 0.6 * tip * out), true, false, true}});
+  }
+  view.add({"e plane", Role::guide,
+            Stroke{at({panel.shown().lower.x, 0}), at({panel.shown().upper.x, 0}), false, true, true}});
+  view.add({"e front", Role::guide, Text{at({panel.shown().lower.x, 0}) + dvec2{0.5, 0.8}, "+"}});
+  view.add({"e behind", Role::guide, Text{at({panel.shown().lower.x, 0}) + dvec2{0.5, -0.8}, "−"}});
+  view.add({"e point", Role::current, Dot{at({0, 0})}});
+  add_arrow(view, "e normal", Role::input, at({0, 0}), at({0, tip}), "N");
+  if (subject.eye_is_near()) view.add_named("e the eye", Role::boundary, at(flat(to_eye)), "E");
+  if (!with_view) return;
+  add_arrow(view, "e view", Role::measure, at({0, 0}), at(flat(to_eye)), "V", at(0.7 * flat(to_eye)));
+  if (along_z) add_arrow(view, "e z", Role::rejected, at({0, 0}), at(2 * tip * flat(*along_z)), "−z");
+  const double turn = gradus::acos(cosine);
   const auto on_arc = [&](double radius, double angle) {
-    return at(radius * gradus::sin(angle), radius * gradus::cos(angle));
+    return at({0, 0}) + radius * dvec2{gradus::sin(angle), gradus::cos(angle)};
   };
   Ring2 arc;
-  for (int i = 0; i <= 16; ++i) arc.push_back(on_arc(0.36, turn * i / 16));
+  for (int i = 0; i <= 16; ++i) arc.push_back(on_arc(1, turn * i / 16));
   view.add({"e angle", Role::measure, Path{arc, false}});
+  // Of all places of a flat face the product is the same, and so is what it says
+  const double product = glm::dot(normal, view_vector<double>(subject.rings[face], subject.eye));
+  const std::string_view right_angle = product > 0 ? "< 90°" : product < 0 ? "> 90°" : "90°";
   view.add({"e angle text", Role::measure,
-            Text{on_arc(0.62, turn / 2), fmt::format("{:.0f}°", turn * 57.29577951308232)}});
+            Text{on_arc(2.6, product > 0 ? turn + 0.7 : turn / 2 + 0.25), std::string(right_angle)}});
 }
 
 }  // namespace gradus::back_face_culling
