@@ -11,7 +11,7 @@ namespace {
 
 /// Of the paper: space, the plane at hand and the tree.
 constexpr Extent space_place{{0.6, 0.6}, {18.4, 23.4}}, edge_on_place{{22.4, 1.4}, {35, 10.2}},
-    tree_place{{20, 12.8}, {35, 22.8}};
+    tree_place{{20, 12.8}, {35, 22.8}}, whole_tree_place{{20, 1}, {35, 22.8}};
 
 // --- The tree is built
 
@@ -25,7 +25,8 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
         cuts_(cut),
         names_(subject.parts),
         space_(subject.reader, space_place, subject.points),
-        drawing_(tree, tree_place) {
+        drawing_(tree, tree_place),
+        whole_(tree, whole_tree_place) {
     for (const DPolygon& polygon : subject.polygons) pieces_.push_back({polygon, none, false});
   }
 
@@ -74,7 +75,10 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
     return {.text = "split",
             .facts = {{"corners_in_front", std::ssize(s.in_front.corners)},
                       {"corners_behind", std::ssize(s.behind.corners)}},
-            .words = {{"plane", names_(plane_taken())}, {"front", name}, {"behind", names_(s.behind)}},
+            .words = {{"whole", names_(last<Placed<double>>()->polygon)},
+                      {"plane", names_(plane_taken())},
+                      {"front", name},
+                      {"behind", names_(s.behind)}},
             .key = name};
   }
 
@@ -91,6 +95,14 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
       event.words.insert(event.words.end(),
                          {{"over", names_(wrong->first)}, {"under", names_(wrong->second)}});
     return event;
+  }
+
+  /// The test by which most is on one side or the other tells most.
+  double tells(const auto& step) const {
+    using Step = std::decay_t<decltype(step)>;
+    if (!std::same_as<Step, Placed<double>>) return 0;
+    return static_cast<double>(
+        std::ranges::count_if(pieces_, [](const Piece& p) { return p.side.has_value(); }));
   }
 
   View draw() const {
@@ -222,9 +234,10 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
       picture.add_polygon(view, piece.polygon, role, names_(piece.polygon), role == Role::current);
     }
     if (const auto edge = cut()) picture.add_cut(view, edge->first, edge->second);
-    add_caption(view, "e caption", edge_on_place, words_.say("caption.edge_on"), 1);
+    add_caption(view, "e caption", edge_on_place, words_.say("caption.edge_on"), 1, true);
   }
   void add_tree(View& view) const {
+    const TreeDrawing& drawing = now<Built>() ? whole_ : drawing_;
     const auto lies_in = [](std::size_t node) {
       return [node](const Placed<double>& p) { return p.side == Side::in_plane && p.node == node; };
     };
@@ -232,8 +245,23 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
       const bool last_one = &t == last<PlaneTaken<double>>();
       const Role role = now<Built>() ? Role::result : last_one ? Role::boundary : Role::past;
       const bool more = std::ranges::any_of(all<Placed<double>>(), lies_in(t.node));
-      drawing_.add_node(view, t.node, role, names_(t.polygon) + (more ? "…" : ""));
-      if (t.parent != none) drawing_.add_branch(view, t.parent, t.node, t.in_front, role);
+      drawing.add_node(view, t.node, role, names_(t.polygon) + (more ? "…" : ""));
+      if (t.parent != none) drawing.add_branch(view, t.parent, t.node, t.in_front, role);
+    }
+    // What waits on either side of a plane, coloured as in space
+    std::map<std::pair<std::size_t, bool>, std::pair<Role, std::vector<std::string>>> waiting;
+    for (const Piece& piece : pieces_) {
+      if (piece.node != none || piece.parent == none) continue;
+      if (piece.here && !piece.side) continue;
+      auto& [role, names] = waiting[{piece.parent, piece.in_front}];
+      role = piece.here ? piece.in_front ? Role::accepted : Role::rejected : Role::past;
+      names.push_back(names_(piece.polygon));
+    }
+    for (const auto& [place, list] : waiting) {
+      const auto& [parent, in_front] = place;
+      const std::size_t child = in_front ? tree_[parent].in_front : tree_[parent].behind;
+      drawing.add_branch(view, parent, child, in_front, list.first);
+      drawing.add_waiting(view, child, list.first, list.second);
     }
   }
 
@@ -243,7 +271,7 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
   const bool cuts_;
   PartNames names_;
   FacesPicture space_;
-  TreeDrawing drawing_;
+  TreeDrawing drawing_, whole_;  ///< as it grows, and in the end
   std::vector<Piece> pieces_;
 };
 

@@ -83,6 +83,11 @@ class TreeDrawing {
         (place.size().x - 2 * radius) / static_cast<double>(std::max<std::size_t>(rank, 2) - 1);
     const double down =
         std::min(4.4, (place.size().y - 2 * radius) / static_cast<double>(std::max<std::size_t>(deepest, 1)));
+    // Neighbours of one depth are two ranks apart
+    left_ = place.lower.x;
+    right_ = place.upper.x;
+    widest_ = std::max(0.95 * across, 0.5);
+    height_ = std::min(radius, 0.36 * down);
     for (std::size_t i = 0; i < tree.size(); ++i) {
       const double x =
           rank == 1 ? place.centre().x : place.lower.x + radius + across * static_cast<double>(ranks[i]);
@@ -90,22 +95,31 @@ class TreeDrawing {
     }
   }
 
-  /// A node with its text.
+  /// A node with its text, as wide as that.
   void add_node(View& view, std::size_t node, Role role, const std::string& text) const {
     constexpr int corners = 28;
     Ring2 circle;
     for (int i = 0; i < corners; ++i) {
       const double turn = 2 * 3.14159265358979 * i / corners;
-      circle.push_back(at_[node] + radius * dvec2{gradus::cos(turn), gradus::sin(turn)});
+      circle.push_back(at_[node] + half_size(text) * dvec2{gradus::cos(turn), gradus::sin(turn)});
     }
     const std::string id = fmt::format("t node {:02}", node);
     add_ring(view, id, role, circle);
     view.add({id + " text", role, Text{at_[node], text}});
   }
+  /// The names of what will be below a branch.
+  void add_waiting(View& view, std::size_t node, Role role, const std::vector<std::string>& names) const {
+    constexpr std::size_t most = 3;
+    std::string text = fmt::format("{}", fmt::join(names | std::views::take(most), ", "));
+    if (names.size() > most) text += ", …";
+    const double half = 0.3 * static_cast<double>(text.size());
+    const double x = std::clamp(at_[node].x, left_ + half, std::max(right_ - half, left_ + half));
+    view.add({fmt::format("t node {:02} text", node), role, Text{{x, at_[node].y}, text}});
+  }
   /// The branch from a node to its parent, "+" where it leads in front of the parent's plane.
   void add_branch(View& view, std::size_t parent, std::size_t node, bool in_front, Role role) const {
     const dvec2 from = at_[parent], to = at_[node], way = (to - from) / glm::length(to - from);
-    view.add({fmt::format("s branch {:02}", node), role, Stroke{from + radius * way, to - radius * way}});
+    view.add({fmt::format("s branch {:02}", node), role, Stroke{from + height_ * way, to - height_ * way}});
     const dvec2 aside = in_front ? dvec2{0.75, 0.25} : dvec2{-0.75, 0.25};
     view.add({fmt::format("s side {:02}", node), Role::guide,
               Text{0.5 * (from + to) + aside, in_front ? "+" : "−"}});
@@ -114,13 +128,19 @@ class TreeDrawing {
   /// Its turn in the order, beside a node.
   void add_number(View& view, std::size_t node, std::size_t number) const {
     view.add({fmt::format("t node {:02} turn", node), Role::result,
-              Text{at_[node] + dvec2{0, -radius - 0.75}, fmt::format("{}.", number)}});
+              Text{at_[node] + dvec2{0, -height_ - 0.75}, fmt::format("{}.", number)}});
   }
 
   static constexpr double radius = 1.15;
 
  private:
+  dvec2 half_size(const std::string& text) const {
+    return {std::clamp(0.42 * static_cast<double>(text.size()) + 0.4, height_, std::max(widest_, height_)),
+            height_};
+  }
+
   std::vector<dvec2> at_;
+  double left_ = 0, right_ = 0, widest_ = radius, height_ = radius;
 };
 
 // --- The plane at hand, edge-on
