@@ -90,8 +90,8 @@ class FacesPicture {
                                  [&](const Ring2& ring) { return depth_inside(ring, reader_.flat(p)) < 0; });
     };
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      view.add({fmt::format("n {:03}", i), faces[i].role,
-                Text{at(faces_subject::seen_place(faces[i].ring, lines, is_clear)), faces[i].name}});
+      if (const auto place = faces_subject::seen_place(faces[i].ring, lines, is_clear))
+        view.add({fmt::format("n {:03}", i), faces[i].role, Text{at(*place), faces[i].name}});
     }
   }
 

@@ -112,23 +112,31 @@ inline std::vector<NamedPart> parts_of(const std::vector<NamedFace>& faces) {
   return parts;
 }
 
-/// A place inside a convex ring where nothing hides it, for its name; its middle where all of it is hidden.
+/// A place inside a convex ring where nothing hides it, for its name: the one with most round it that is
+/// seen, of equals a clear one; nothing where all of it is hidden.
 template <class IsClear>
-dvec3 seen_place(const std::vector<dvec3>& ring, const HiddenLines& lines, IsClear is_clear) {
+std::optional<dvec3> seen_place(const std::vector<dvec3>& ring, const HiddenLines& lines, IsClear is_clear) {
   const dvec3 middle = middle_of(ring);
   const auto is_seen = [&](dvec3 p, dvec3 from) { return !lines.pieces(from, p).front().hidden; };
-  std::vector<dvec3> seen;
-  if (is_seen(middle + 1e-3 * (ring[0] - middle), middle)) seen.push_back(middle);
-  for (const double part : {0.3, 0.5, 0.7}) {
+  std::optional<dvec3> best;
+  int most = 0;
+  const auto look_at = [&](dvec3 p) {
+    if (!is_seen(p + 1e-3 * (ring[0] - p), p)) return;
+    int seen = 2 + (is_clear(p) ? 1 : 0);
+    for (const dvec3 corner : ring) {
+      const dvec3 beside = p + 0.15 * (corner - middle);
+      seen += is_seen(beside + 1e-3 * (p - beside), beside) ? 2 : 0;
+    }
+    if (seen > most) best = p;
+    most = std::max(most, seen);
+  };
+  look_at(middle);
+  for (const double part : {0.2, 0.35, 0.5, 0.65, 0.8}) {
     for (const auto& [a, b] : sides_of(ring)) {
-      for (const dvec3 towards : {a, 0.5 * (a + b)}) {
-        const dvec3 p = middle + part * (towards - middle);
-        if (is_seen(p, p - 1e-3 * (p - middle))) seen.push_back(p);
-      }
+      for (const dvec3 towards : {a, 0.5 * (a + b)}) look_at(middle + part * (towards - middle));
     }
   }
-  const auto clear = std::ranges::find_if(seen, is_clear);
-  return clear != seen.end() ? *clear : seen.empty() ? middle : seen.front();
+  return best;
 }
 
 }  // namespace gradus::faces_subject

@@ -53,7 +53,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     const auto& compared = all<Compared<double>>();
     const auto failed = std::ranges::find(compared, Test::failed, &Compared<double>::passed);
     if (failed != compared.end()) return number<Compared<double>>(failed - compared.begin());
-    const auto wrong = key_.tests ? std::nullopt : first_wrong();
+    const auto wrong = wrong_now();
     return wrong ? std::optional(number<Drawn<double>>(wrong->number)) : std::nullopt;
   }
 
@@ -151,11 +151,11 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     const bool done = now<Finished>();
     const Role last = done ? Role::result : p() ? Role::input : Role::current;
     picture_.add_painted(drawing, painted(), names_, done ? Role::result : Role::input, last, waiting_);
-    for (const DPolygon& polygon : waiting_)
-      picture_.add_outline(drawing, polygon, role_of(polygon), names_(polygon), waiting_);
+    for (std::size_t i = 0; i < waiting_.size(); ++i)
+      picture_.add_outline(drawing, i, role_of(waiting_[i]), names_(waiting_[i]), waiting_);
     if (compared()) add_test(drawing, *compared());
-    if (const auto wrong = wrong_now())
-      picture_.add_common(drawing, wrong->late, wrong->early, Role::rejected);
+    for (const Wrong& wrong : all_wrong_now())
+      picture_.add_common(drawing, wrong.late, wrong.early, Role::rejected);
     add_order(drawing);
     add_beside(drawing);
     return drawing;
@@ -243,26 +243,22 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
 
   // --- What is wrong
 
-  /// The first that the number-th one is painted over though it lies behind it.
-  std::optional<Wrong> wrong_at(std::size_t number) const {
+  /// What is painted by now over something that it lies behind: by the step at hand; in the end by any.
+  std::vector<Wrong> all_wrong_now() const {
+    std::vector<Wrong> wrong;
+    if (key_.tests || !(now<Finished>() || now<Drawn<double>>())) return wrong;
     const auto& drawn = all<Drawn<double>>();
-    for (std::size_t i = 0; i < number; ++i) {
-      if (wrongly_over(subject_, drawn[number].polygon, drawn[i].polygon))
-        return Wrong{drawn[number].polygon, drawn[i].polygon, number};
+    for (std::size_t late = now<Finished>() ? 0 : drawn.size() - 1; late < drawn.size(); ++late) {
+      for (std::size_t i = 0; i < late; ++i) {
+        if (wrongly_over(subject_, drawn[late].polygon, drawn[i].polygon))
+          wrong.push_back({drawn[late].polygon, drawn[i].polygon, late});
+      }
     }
-    return std::nullopt;
+    return wrong;
   }
-  std::optional<Wrong> first_wrong() const {
-    for (std::size_t i = 0; i < all<Drawn<double>>().size(); ++i) {
-      if (auto wrong = wrong_at(i)) return wrong;
-    }
-    return std::nullopt;
-  }
-  /// What the step at hand has painted wrongly; in the end the first.
   std::optional<Wrong> wrong_now() const {
-    if (key_.tests) return std::nullopt;
-    if (now<Finished>()) return first_wrong();
-    return now<Drawn<double>>() ? wrong_at(all<Drawn<double>>().size() - 1) : std::nullopt;
+    const auto wrong = all_wrong_now();
+    return wrong.empty() ? std::nullopt : std::optional(wrong.front());
   }
   void add_wrong(Event& event, const Wrong& wrong) const {
     event.words.insert(event.words.end(), {{"late", names_(wrong.late)},
@@ -320,7 +316,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
         plan_.add_distance(drawing, mean(polygon), Role::measure, names_(polygon),
                            figure_real(key_of(polygon).key));
     }
-    add_caption(drawing, "z caption", beside_place_, words_.say("caption.above"), 1);
+    add_caption(drawing, "z caption", beside_place_, words_.say("caption.above"), 1, true);
   }
   void add_edge_on(Drawing& drawing) const {
     const DPolygon& of = has_passed(Test::behind) ? compared()->q : *p();
@@ -336,7 +332,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     picture.add_plane(drawing, words_.say("plane", {{"name", names_(of)}}));
     for (const DPolygon& polygon : shown)
       picture.add_polygon(drawing, polygon, role_of(polygon), names_(polygon), true);
-    add_caption(drawing, "z caption", beside_place_, words_.say("caption.edge_on"), 1);
+    add_caption(drawing, "z caption", beside_place_, words_.say("caption.edge_on"), 1, true);
   }
 
   const Words& words_;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/random.hpp"
+#include "figure/trace.hpp"
 #include "support/example_traces.hpp"
 #include "support/seed.hpp"
 
@@ -80,6 +81,49 @@ TEST(FacesStory, BentFacesAreRefusedOrSaid) {
     }
   }
   EXPECT_NE(run("back_face_culling").steps.back().sentence.find("D2 is not flat"), std::string::npos);
+}
+
+/// The marks of a step whose ids begin so.
+std::vector<Mark> marks_of(const Trace& trace, std::size_t step, std::string_view beginning) {
+  std::vector<Mark> found;
+  Playhead playhead(trace);
+  for (const auto& [id, mark] : playhead.at(step).marks()) {
+    if (id.starts_with(beginning)) found.push_back(mark);
+  }
+  return found;
+}
+
+TEST(FacesStory, ThePainterMarksAllThatIsWrong) {
+  // Three bars, each over the next: any order paints two of them wrongly, or one
+  const Trace trace =
+      test::trace_of("painter", {{"method", "farthest_vertex"},
+                                 {"faces",
+                                  "A: -6.2,-3.6,-1.2 6.2,-3.6,1.2 6.2,-1.6,1.2 -6.2,-1.6,-1.2; "
+                                  "B: 6.2,-3.6,-1.2 0,7.1,1.2 -1.7,6.1,1.2 4.5,-4.6,-1.2; "
+                                  "C: 0,7.2,-1.2 -6.2,-3.5,1.2 -4.5,-4.5,1.2 1.7,6.2,-1.2"},
+                                 {"towards", "0.2,-0.4,1"}});
+  std::size_t areas = 0;
+  for (const Mark& mark : marks_of(trace, trace.steps.size() - 1, "q common"))
+    areas += std::holds_alternative<Area>(mark.shape);
+  EXPECT_EQ(areas, 2u);
+}
+
+TEST(FacesStory, ANameStandsOnWhatIsSeenOfIt) {
+  // B lies behind A but for its right end
+  const std::string faces = "A: 0,0,1 6,0,1 6,2,1 0,2,1; B: 1,0.5,0 9,0.5,0 9,1.5,0 1,1.5,0";
+  const Trace trace = test::trace_of("bsp_tree", {{"faces", faces}, {"towards", "0,0,1"}});
+  double right_of_a = 0, name = 0;
+  for (const Mark& mark : marks_of(trace, 0, "")) {
+    const Text* text = std::get_if<Text>(&mark.shape);
+    if (text && text->text == "B") name = text->at.x;
+    if (!text || text->text != "A") continue;
+    right_of_a = text->at.x;
+  }
+  EXPECT_GT(name, right_of_a + 3);
+  // C is behind A altogether
+  const Trace hidden = test::trace_of(
+      "bsp_tree", {{"faces", faces + "; C: 1,0.5,-1 5,0.5,-1 5,1.5,-1"}, {"towards", "0,0,1"}});
+  for (const Mark& mark : marks_of(hidden, 0, "n ")) EXPECT_NE(std::get<Text>(mark.shape).text, "C");
 }
 
 }  // namespace

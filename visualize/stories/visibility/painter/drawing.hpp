@@ -162,22 +162,25 @@ class Picture {
     flat_.add_painted(drawing, std::move(faces),
                       mapped(waiting, [&](const DPolygon& polygon) { return on_screen(polygon); }));
   }
-  /// The outline of one that waits, with its name where it is in none of the others that wait.
-  void add_outline(Drawing& drawing, const DPolygon& polygon, Role role, const std::string& name,
+  /// The outline of the one that waits in this place, with its name where it is in none of the others that
+  /// wait; later ones lie below.
+  void add_outline(Drawing& drawing, std::size_t place, Role role, const std::string& name,
                    const std::vector<DPolygon>& waiting) const {
+    const DPolygon& polygon = waiting[place];
+    const std::string id = fmt::format("p {:03} {}", waiting.size() - place, name);
     const Ring2 ring = at(polygon);
     std::vector<Ring2> others;
     for (const DPolygon& other : waiting) {
       if (Ring2 outline = at(other); outline != ring) others.push_back(std::move(outline));
     }
-    if (role != Role::past) drawing.add({"p " + name + " inside", role, Area{{ring}, 1}});
-    drawing.add({"p " + name, role, Path{ring, true}});
-    drawing.add({"p " + name + " name", role, Text{clear_place(ring, others), name}});
+    if (role != Role::past) drawing.add({id + " inside", role, Area{{ring}, 1}});
+    drawing.add({id, role, Path{ring, true}});
+    drawing.add({id + " name", role, Text{clear_place(ring, others), name}});
   }
   /// Where one may cover the other.
   void add_common(Drawing& drawing, const DPolygon& p, const DPolygon& q, Role role) const {
     if (const Ring2 ring = common_part(at(p), at(q)); ring.size() >= 3)
-      add_ring(drawing, "q common", role, ring, 3);
+      add_ring(drawing, fmt::format("q common {:03}", drawing.marks.size()), role, ring, 3);
   }
   /// A line that has p on one side and q on the other: level, upright, or along an edge.
   void add_parting(Drawing& drawing, const DPolygon& p, const DPolygon& q, Test passed) const {
