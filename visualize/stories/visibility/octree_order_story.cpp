@@ -64,8 +64,12 @@ std::string octant_text(int child) {
 
 class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>, Finished> {
  public:
-  OrderStory(const Words& words, const Subject& subject, bool from_front)
-      : words_(words), subject_(subject), from_front_(from_front), panel_(place, {}) {
+  OrderStory(const Words& words, const Subject& subject, bool from_front, std::vector<Cube> order)
+      : words_(words),
+        subject_(subject),
+        from_front_(from_front),
+        order_(std::move(order)),
+        panel_(place, {}) {
     Extent extent;
     for (const dvec3 p : corners_of(subject.root)) extent.add(subject.reader.flat(p));
     if (subject.eye.w == 1) extent.add(subject.reader.flat(dvec3(subject.eye)));
@@ -73,6 +77,12 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
   }
 
   dvec2 at(dvec3 p) const { return panel_.at(subject_.reader.flat(p)); }
+  /// The last cell with children: by then the table has rows.
+  double tells(const auto& step) const {
+    return std::same_as<std::decay_t<decltype(step)>, Entered<double>>
+               ? static_cast<double>(all<Visited<double>>().size() + 1)
+               : 0;
+  }
 
   Event say(const steps::Started&) const {
     return {.text = subject_.eye.w == 1 ? "started" : "started.far",
@@ -122,6 +132,14 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
       drawing.add_frame("c entered", Role::candidate, corners_of(entered->cell));
       drawing.add_frame("d nearest", Role::accepted,
                         corners_of(child_of(entered->cell, entered->nearest), apart));
+      for (int child = 0; child < 8; ++child) {
+        const Cube cell = child_of(entered->cell, child);
+        const auto turn = std::ranges::find(order_, cell);
+        if (turn != order_.end())
+          view.add({fmt::format("d turn {}", child),
+                    child == entered->nearest ? Role::accepted : Role::candidate,
+                    Text{at(middle_of(cell)), fmt::format("{}", turn - order_.begin() + 1)}});
+      }
     }
     drawing.add_to(view, "a");
     add_numbers(view, rings);
@@ -155,9 +173,9 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
       const std::vector<dvec3>& ring = rings[k];
       const std::size_t i = k / 6;
       if (i == last || glm::dot(area_vector(ring), subject_.reader.towards) <= 0) continue;
-      const dvec3 middle = 0.25 * (ring[0] + ring[1] + ring[2] + ring[3]);
-      if (lines.pieces(middle, middle + 1e-3 * (ring[0] - middle)).front().hidden) continue;
-      view.add({fmt::format("n {:03}", i), role_of(i), Text{at(middle), fmt::format("{}", i + 1)}});
+      const auto seen = faces_subject::seen_place(ring, lines, [](dvec3) { return true; });
+      if (!seen) continue;
+      view.add({fmt::format("n {:03}", i), role_of(i), Text{at(*seen), fmt::format("{}", i + 1)}});
       last = i;
     }
   }
@@ -166,6 +184,7 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
   const Words& words_;
   const Subject& subject_;
   const bool from_front_;
+  const std::vector<Cube> order_;
   Panel panel_;
 };
 
@@ -186,19 +205,22 @@ template <bool from_front>
 void tell_order(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   set_up(narrator, subject);
-  OrderStory story(narrator.words(), subject, from_front);
+  const auto splits = [&](const Cube& cell) { return subject.splits(cell); };
+  const auto walk = [&](const auto& visit, auto&&... watch) {
+    if constexpr (from_front)
+      front_to_back(subject.root, subject.eye, splits, visit, watch...);
+    else
+      back_to_front(subject.root, subject.eye, splits, visit, watch...);
+  };
+  std::vector<Cube> order;
+  walk([&](const Cube& cell) { order.push_back(cell); });
+  OrderStory story(narrator.words(), subject, from_front, order);
   narrator.handles("points", [&](dvec3 p) { return story.at(p); });
   if (subject.eye.w == 1) narrator.handles("eye", [&](dvec3 p) { return story.at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  std::int64_t leaves = 0;
-  const auto splits = [&](const Cube& cell) { return subject.splits(cell); };
-  const auto count = [&](const Cube&) { ++leaves; };
-  if constexpr (from_front)
-    front_to_back(subject.root, subject.eye, splits, count, watch);
-  else
-    back_to_front(subject.root, subject.eye, splits, count, watch);
-  narrator.result({{"cells", leaves}});
+  walk([](const Cube&) {}, watch);
+  narrator.result({{"cells", std::ssize(order)}});
 }
 
 }  // namespace
@@ -219,11 +241,11 @@ const TopicEntry& entry() {
                     .function = "nearer_first"},
                    {.name = "back_to_front", .tell = tell_order<false>, .function = "farther_first"}},
        .default_method = "front_to_back",
-       .parameters = {points(1, 64, "points", "1,1,1 7,6,7 6,7,5 2,6,3", "1,1,1 5,5,5 6,6,6",
+       .parameters = {points(1, 64, "points", "1,1,1 7,2,7 6,1,5 2,6,3", "1,1,1 5,5,5 6,6,6",
                              "what the cells hold: one with several is cut into eight", xyz, modest),
                       number("side", "8", "16", "of the whole cube, whose least corner is 0,0,0", modest),
                       integer(1, 4, "depth", "2", "3", "how often a cell is cut at most"),
-                      numbers("eye", "12,10,5", "3,3,3", "where it is; inside the cube, too", xyz, modest),
+                      numbers("eye", "12,10,2", "3,3,3", "where it is; inside the cube, too", xyz, modest),
                       flag("far", "the eye is infinitely far away, in the direction of --eye"),
                       faces_subject::towards_parameter("4,5,9")},
        .examples = {"--depth 1", "--eye 3,3,3", "--method back_to_front --far --eye 1,2,3"}});
