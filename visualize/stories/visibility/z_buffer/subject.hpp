@@ -12,7 +12,7 @@ namespace gradus::z_buffer {
 
 /// The colours of faces that bring none, in turn: told apart by every eye and on grey paper.
 inline constexpr std::array<Rgba8, 4> own_colors{Rgba8{86, 180, 233, 255}, Rgba8{240, 228, 66, 255},
-                                                 Rgba8{230, 159, 0, 255}, Rgba8{0, 158, 115, 255}};
+                                                 Rgba8{213, 94, 0, 255}, Rgba8{0, 114, 178, 255}};
 
 /// Depths between the near plane and the far one, and where a point is seen: straight on, or from an eye
 /// before the picture, which lies in z = 0.
