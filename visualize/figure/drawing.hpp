@@ -149,9 +149,11 @@ struct Grid {
   Window cells;      ///< the cells there are; all of int32 is allowed
   bool y_up = true;  ///< lines and circles: up; anything with an image: row 0 at the top
   std::string x_name = "x", y_name = "y";
-  bool whole = false;  ///< all cells are always shown, however small: no view that follows the step
-  bool axes = true;    ///< false: a paper, whose drawings bring scales of their own
-  double lines = 0;    ///< of a paper with lines of text: in units of a slide, how large a cell they ask for
+  bool whole = false;            ///< all cells are always shown, however small: no view that follows the step
+  bool on_lines = false;         ///< numbers stand at the lines: cell (x, y) reaches from x to x + 1
+  std::optional<Window> part{};  ///< of a slide: these cells are shown, and the whole beside them
+  bool axes = true;              ///< false: a paper, whose drawings bring scales of their own
+  double lines = 0;  ///< of a paper with lines of text: in units of a slide, how large a cell they ask for
   int shelf = 0;  ///< so many rows, those of the least numbers, are no part of the grid but room beside it:
                   ///< cells that a story puts there are drawn, without lines, centres and numbers
   /// The input picture, if there is one: one texel per cell, from cells.lower, row 0 first. Copies share it.

@@ -248,6 +248,8 @@ Json grid_json(const Grid& grid) {
            {"y_name", grid.y_name}};
   if (grid.whole) out["whole"] = true;
   if (!grid.axes) out["axes"] = false;
+  if (grid.on_lines) out["on_lines"] = true;
+  if (grid.part) out["part"] = {{"lower", point(grid.part->lower)}, {"upper", point(grid.part->upper)}};
   if (grid.lines > 0) out["lines"] = grid.lines;
   if (grid.shelf > 0) out["shelf"] = grid.shelf;
   if (grid.picture) out["picture"] = picture_json(*grid.picture);

@@ -114,8 +114,9 @@ struct Stage {
   const Content* content = nullptr;         ///< of a paper: what else needs room beside it
   double least_cell = 0, largest_cell = 0;  ///< units
   double easy_cell = 0;                     ///< from here on no text is given up for larger cells
-  double lines = 0;   ///< as Grid::lines: with smaller cells what is aside would lie on itself
-  bool bare = false;  ///< without what is aside
+  double lines = 0;              ///< as Grid::lines: with smaller cells what is aside would lie on itself
+  bool bare = false;             ///< without what is aside
+  std::optional<Window> part{};  ///< cells that are shown with the whole beside them
 };
 /// Throws ContractViolation when the look's view misses the grid.
 Stage stage_of(const Trace& trace, const Look& look);
@@ -134,6 +135,7 @@ struct Fit {
   bool follows = false;  ///< not all cells: a view that follows the step, and an overview
   bool beside = false;   ///< the overview stands beside the view, not above it
   Margins margins{};
+  bool part = false;  ///< the stage's, which doesn't move
 };
 /// Nothing: the drawing is too small for any cell, or for the cells that the reader chose. Sizes in units.
 std::optional<Fit> fit(const Stage& stage, double width, double height);

@@ -50,19 +50,23 @@ class AxesLayout {
     const double name_width = text_width(grid_.x_name, Face::italic, size);
     const double most_right = at_.right - name_width - 8 * s_;
     double last_right = b.x;
-    for (std::int64_t x = first_tick(view.lower.x, across); x <= view.upper.x; x += across) {
+    const int on_lines = grid_.on_lines;  // then one more than there are cells
+    const double off = on_lines / 2.0;
+    for (std::int64_t x = first_tick(view.lower.x, across); x <= view.upper.x + on_lines; x += across) {
       const std::string text = figure_number(x);
       const double half = text_width(text, Face::sans, size) / 2;
-      if (frame_.column(static_cast<double>(x)) + half > most_right) break;
-      tick("x " + text, {frame_.column(static_cast<double>(x)), below}, text, Align::centre);
+      const double at = frame_.column(static_cast<double>(x) - off);
+      if (at + half > most_right) break;
+      tick("x " + text, {at, below}, text, Align::centre);
       last_right = free_.texts.back().right();
     }
     const std::vector<Box> columns(free_.texts);  // whose first number is near the corner
     const double row_name_bottom = name_rows();
     const std::int64_t up = tick_step(frame_.cell, 24 * s_);
-    for (std::int64_t y = first_tick(at_.own_cells(grid_).lower.y, up); y <= view.upper.y; y += up) {
+    for (std::int64_t y = first_tick(at_.own_cells(grid_).lower.y, up); y <= view.upper.y + on_lines;
+         y += up) {
       const std::string text = figure_number(y);
-      const double baseline = frame_.row(static_cast<double>(y)) + 7 * s_;
+      const double baseline = frame_.row(static_cast<double>(y) - off) + 7 * s_;
       const TextShape shape{{b.x - 8 * s_, baseline}, text, Face::sans, size, Align::right,
                             Paint::of(Tone::muted)};
       const bool in_the_corner =
@@ -80,6 +84,10 @@ class AxesLayout {
     const Box& b = frame_.box;
     const double size = text_size * s_;
     const std::string name = grid_.y_name + (frame_.y_up ? " ↑" : " ↓");
+    if (grid_.on_lines) {  // beside the first number, not over it
+      name_axis("y axis", {b.x, b.y - 6 * s_}, name);
+      return at_.settled.y - size;
+    }
     if (b.y - at_.settled.y < size && !at_.follows) {  // among the numbers
       const double left = b.x - 8 * s_ - text_width(name, Face::italic, size);
       name_axis("y axis", {left, b.y + 13 * s_}, name);

@@ -25,6 +25,7 @@ class DrawingLayout {
     draw_cell_grounds();
     draw_cell_colors();
     if (!figure_.canvas->plane()) {
+      draw_areas();  // a tint hides neither lines nor centres
       draw_grid();
       if (at_.numbered) lay_out_axes(pen_, trace_.grid, at_, free_);
     }
@@ -209,7 +210,7 @@ class DrawingLayout {
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
       take_dot(mark, *dot);
     } else if (const Area* area = std::get_if<Area>(&mark.shape)) {
-      take_area(mark, *area);
+      if (figure_.canvas->plane()) draw_area(mark, *area);
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
       if (!(text->aside && without_asides())) texts_.emplace_back(&mark, text);
     } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
@@ -217,7 +218,15 @@ class DrawingLayout {
     }
   }
 
-  void take_area(const Mark& mark, const Area& area) {
+  void draw_areas() {
+    for (const Mark& mark : trace_.backdrop) {
+      if (const Area* area = std::get_if<Area>(&mark.shape)) draw_area(mark, *area);
+    }
+    for (const auto& [id, mark] : figure_.canvas->marks()) {
+      if (const Area* area = std::get_if<Area>(&mark.shape)) draw_area(mark, *area);
+    }
+  }
+  void draw_area(const Mark& mark, const Area& area) {
     std::vector<std::vector<dvec2>> rings;
     for (const auto& ring : area.rings) {
       std::vector<dvec2> points;
@@ -225,7 +234,7 @@ class DrawingLayout {
       points = inside_of(std::move(points), frame_.box);
       if (points.size() >= 3) rings.push_back(std::move(points));
     }
-    if (!rings.empty()) areas_.emplace_back(mark.id, area_in(std::move(rings), mark.role, area.shade));
+    if (!rings.empty()) pen_.area(mark.id, area_in(std::move(rings), mark.role, area.shade));
   }
 
   void take_chain(const Mark& mark, const std::vector<dvec2>& points, const ChainLook& look) {
@@ -390,7 +399,6 @@ class DrawingLayout {
       }
     };
     draw_centres();
-    for (auto& [id, area] : areas_) pen_.area(id, std::move(area));
     rims(false);
     for (auto& [id, line] : guides_) pen_.line(id, std::move(line));
     for (auto& [id, line] : leaders_) pen_.line(id, std::move(line));
@@ -422,7 +430,6 @@ class DrawingLayout {
   Obstacles free_;     ///< what texts are to be free of
   Obstacles written_;  ///< in cells; and once a ring is placed, all texts
 
-  Named<AreaShape> areas_;
   Named<LineShape> guides_, lines_, leaders_;
   Named<DiscShape> dots_, ring_;
   Named<TextShape> letters_;

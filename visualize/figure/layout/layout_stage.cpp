@@ -26,7 +26,8 @@ constexpr double inset_width = 190, inset_column_gap = 16;  ///< of one beside i
 /// With the name of the rows above their numbers, or among them, where it takes the place of the last one.
 Margins axis_margins(const Stage& stage, double cell, bool name_above = true) {
   // The name of the columns stands behind the last number, which stands in the middle of its cell
-  const double least = cell < roomy_cell ? 0 : roomy_cell;
+  // or at its end
+  const double least = cell < roomy_cell || stage.axes->on_lines ? 0 : roomy_cell;
   const double x_name = text_width(stage.axes->x_name, Face::italic, text_size) + 10 +
                         (std::min(stage.column_numbers, roomy_cell) - least) / 2;
   const double y_name = text_width(stage.axes->y_name + " ↑", Face::italic, text_size);
@@ -92,8 +93,11 @@ struct Sized {
   Margins margins{};
 };
 
-/// From here on the name of the rows may stand among their numbers, over the last one.
-constexpr double high_cell = 64;
+/// Whether the name of the rows may stand among their numbers, over the last one.
+bool may_stand_among(const Stage& stage, double cell) {
+  constexpr double high_cell = 64;
+  return cell >= high_cell && !stage.axes->on_lines && !stage.part;
+}
 
 Sized largest_of_grid(const Stage& stage, double width, double height) {
   Sized best;
@@ -102,7 +106,7 @@ Sized largest_of_grid(const Stage& stage, double width, double height) {
       const Margins margins = axis_margins(stage, from, name_above);
       const double cell = cell_between(stage, margins, width, height);
       if (cell < from || cell <= best.cell * 1.001) continue;
-      if (name_above || cell >= high_cell) best = {cell, margins};
+      if (name_above || may_stand_among(stage, cell)) best = {cell, margins};
     }
   }
   return best;
@@ -200,6 +204,7 @@ Stage stage_of(const Trace& trace, const Look& look) {
     stage.column_numbers = std::max(number_width(stage.cells.lower.x), number_width(stage.cells.upper.x));
   }
   const bool slide = look.layout == Layout::slide;
+  if (slide && !look.view) stage.part = grid.part;
   // The pixels of a picture may be as small as they are asked for
   const bool pixels = look.view && grid.picture;
   // The units of a paper are no cells; two pictures and all texts leave little of a square slide
@@ -227,7 +232,29 @@ Stage bare(Stage stage, Content& content) {
   return stage;
 }
 
+namespace {
+
+/// The stage's part with an overview above or beside it, or, where cells would be small, alone.
+std::optional<Fit> fit_of_part(Stage stage, double width, double height) {
+  const Window& part = *stage.part;
+  stage.size = {static_cast<double>(part.width()), static_cast<double>(part.height())};
+  Fit best;
+  const auto add = [&](double across, double up, bool follows, bool beside) {
+    const auto [cell, margins] = largest_in(stage, width - across, height - up);
+    if (cell > best.cell) best = {cell, part.width(), part.height(), follows, beside, margins, true};
+  };
+  add(0, inset_height + inset_gap, true, false);
+  add(inset_width + inset_column_gap, 0, true, true);
+  if (best.cell < followed_cell) add(0, 0, false, false);
+  return best.cell < stage.easy_cell ? std::nullopt : std::optional(best);
+}
+
+}  // namespace
+
 std::optional<Fit> fit(const Stage& stage, double width, double height) {
+  if (stage.part) {
+    if (const auto part = fit_of_part(stage, width, height)) return part;
+  }
   if (const Sized sized = largest_in(stage, width, height); sized.cell >= stage.least_cell)
     return Fit{sized.cell, stage.cells.width(), stage.cells.height(), false, false, sized.margins};
   if (stage.fixed || stage.content) return std::nullopt;
@@ -283,7 +310,7 @@ Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const
   }
   // What is shown with its axes, in the middle of what is left
   const double cell = shown->cell * s;
-  const dvec2 size = shown->follows
+  const dvec2 size = shown->follows || shown->part
                          ? dvec2{static_cast<double>(shown->columns), static_cast<double>(shown->rows)} * cell
                          : stage.size * cell;
   const double width = size.x + (margins.left + margins.right) * s;
@@ -291,9 +318,11 @@ Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const
   scene.settled = {box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width, height};
   scene.left = scene.settled.x;
   scene.right = scene.settled.right();
-  const Window view = scene.follows ? followed_view(stage.own, *shown, figure.focus) : stage.cells;
+  const Window view = shown->part     ? *stage.part
+                      : scene.follows ? followed_view(stage.own, *shown, figure.focus)
+                                      : stage.cells;
   scene.frame = {view,
-                 scene.follows ? dvec2(view.lower) - 0.5 : stage.lower,
+                 scene.follows || shown->part ? dvec2(view.lower) - 0.5 : stage.lower,
                  {scene.settled.x + margins.left * s, scene.settled.y + margins.above * s, size.x, size.y},
                  cell,
                  stage.y_up};

@@ -90,9 +90,9 @@ class Drawing extends StillDrawing {
     this.drawMarks(cells);
     const {areas, guides, leaders, lines, dots} = this.layers, [besideLines, onLines, letters] = this.drawLetters();
     this.svg.replaceChildren(
-        this.patterns, this.picture, this.grounds(cells), this.colors(cells), plane ? '' : this.still,
-        plane ? '' : this.centres(), this.outlines(cells), this.cellTexts(cells), areas, besideLines, guides, leaders,
-        lines, onLines, dots, letters);
+        this.patterns, this.picture, this.grounds(cells), this.colors(cells), plane ? '' : areas,
+        plane ? '' : this.still, plane ? '' : this.centres(), this.outlines(cells), this.cellTexts(cells),
+        plane ? areas : '', besideLines, guides, leaders, lines, onLines, dots, letters);
     this.svg.setAttribute('width', width);
     this.svg.setAttribute('height', height);
     this.overview.element.hidden = !this.at.follows;

@@ -75,7 +75,7 @@ class Stage {
     const numbers = [cells.y0, cells.y1].map((y) => Math.ceil(textWidth(written(y), TEXT)));
     return {
       left: Math.max(...numbers, 14, nameAbove ? 0 : name(`${grid.y_name} ↑`)) + 10,
-      right: cell < ROOMY_CELL ? Math.max(24, name(grid.x_name) + 12) : 8,
+      right: cell < ROOMY_CELL || grid.on_lines ? Math.max(24, name(grid.x_name) + 12) : 8,
       above: nameAbove ? AXIS_ABOVE : AXIS_RIM,
       below: AXIS_BELOW
     };
@@ -94,8 +94,7 @@ class Stage {
     }
     return margins;
   }
-  cellBetween({left, right, above, below}, width, height) {
-    const [across, up] = this.size;
+  cellBetween({left, right, above, below}, width, height, [across, up] = this.size) {
     return Math.max(Math.min((width - left - right) / across, (height - above - below) / up, LARGEST_CELL), 0);
   }
 
@@ -103,13 +102,13 @@ class Stage {
   largestIn(width, height) {
     return this.axes ? this.largestOfGrid(width, height) : this.largestOfPaper(width, height);
   }
-  largestOfGrid(width, height) {
+  largestOfGrid(width, height, size = this.size) {
     let best = {cell: 0, margins: this.axisMargins(0, true)};
     for (const nameAbove of [true, false]) {
       for (const from of [ROOMY_CELL, 0]) {
-        const margins = this.axisMargins(from, nameAbove), cell = this.cellBetween(margins, width, height);
-        // Among the numbers the name stands over the last one, or in place of one of many
-        const fits = nameAbove || cell >= 60 || this.size[1] >= 10;
+        const margins = this.axisMargins(from, nameAbove), cell = this.cellBetween(margins, width, height, size);
+        // Among the numbers the name stands over the last one
+        const fits = nameAbove || (cell >= 64 && !this.grid.on_lines && !this.grid.part);
         if (cell >= from && cell > best.cell * 1.001 && fits) best = {cell, margins};
       }
     }
@@ -144,9 +143,23 @@ class Stage {
     return s;
   }
 
+  /** The grid's part with an overview above or beside it, or, where cells would be small, alone. */
+  fitOfPart(width, height) {
+    if (!this.grid.part) return null;
+    const {lower: [x0, y0], upper: [x1, y1]} = this.grid.part, columns = x1 - x0 + 1, rows = y1 - y0 + 1;
+    const part = {x0, y0, x1, y1}, size = [columns, rows];
+    const fit = (across, up, follows) =>
+        ({...this.largestOfGrid(width - across, height - up, size), columns, rows, part, follows});
+    const above = fit(0, INSET + INSET_GAP, 'above'), beside = fit(INSET_WIDTH + INSET_COLUMN_GAP, 0, 'beside');
+    const best = beside.cell > above.cell ? beside : above;
+    const shown = best.cell < FOLLOWED_CELL ? fit(0, 0, null) : best;
+    return shown.cell < LEAST_CELL ? null : shown;
+  }
   /** How a drawing of this size shows it. */
   fit(width, height) {
     const {x0, y0, x1, y1} = this.cells, all = {columns: x1 - x0 + 1, rows: y1 - y0 + 1};
+    const part = this.fitOfPart(width, height);
+    if (part) return part;
     const sized = this.largestIn(width, height);
     if (!this.mayFollow || sized.cell >= LEAST_CELL) return {...sized, ...all};
     const margins = this.axisMargins(FOLLOWED_CELL, true);
@@ -190,7 +203,11 @@ function arrange(stage, width, height, unit, focus) {
     room.y = (INSET + INSET_GAP) * s;
     room.height -= room.y;
   }
-  if (follows) {
+  if (shown.part) {
+    view = shown.part;
+    origin = [view.x0 - 0.5, view.y0 - 0.5];
+    size = [shown.columns, shown.rows];
+  } else if (follows) {
     const x0 = followed(view.x0, view.x1, shown.columns, focus[0]);
     const y0 = followed(view.y0, view.y1, shown.rows, focus[1]);
     view = {x0, y0, x1: x0 + shown.columns - 1, y1: y0 + shown.rows - 1};

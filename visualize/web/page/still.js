@@ -71,11 +71,14 @@ class StillDrawing {
   centres() {
     if (this.texels || this.at.cell < LEAST_DOTTED * this.at.s) return svg('g');
     const {view, s} = this.at, wall = this.run.trace.roles.indexOf('boundary');
+    const texts = this.marked.map(({box}) => grown(box, 5 * s));  // a dot beside one would be its punctuation
     let d = '';
     for (let y = this.firstRow(); y <= view.y1; ++y) {
       for (let x = view.x0; x <= view.x1; ++x) {
         const look = this.canvas.look(x, y);
-        if (!look || (look[0] !== wall && look[1] === '' && !look[2])) d += `M${toPixels(this.at, x, y).join(' ')}h0`;
+        if (look && (look[0] === wall || look[1] !== '' || look[2])) continue;
+        const [px, py] = toPixels(this.at, x, y), dot = {x: px, y: py, width: 0, height: 0};
+        if (!texts.some((text) => overlap(text, dot))) d += `M${px} ${py}h0`;
       }
     }
     return svg('path', {
@@ -92,17 +95,23 @@ class StillDrawing {
     const name = textWidth(grid.x_name, size, 'italic');
     const widest = Math.max(...[view.x0, view.x1].map((x) => textWidth(written(x), size))), out = [];
     let end = box.x;
-    for (const x of ticks(view.x0, view.x1, tickStep(cell, widest + 10 * s))) {
-      const px = toPixels(this.at, x, 0)[0], half = textWidth(written(x), size) / 2;
+    const onLines = grid.on_lines ? 1 : 0, off = onLines / 2;  // then one more than there are cells
+    for (const x of ticks(view.x0, view.x1 + onLines, tickStep(cell, widest + 10 * s))) {
+      const px = toPixels(this.at, x - off, 0)[0], half = textWidth(written(x), size) / 2;
       if (px + half > right - name - 8 * s) break;
       out.push(this.tick(written(x), px, bottom, 'middle'));
       end = px + half;
     }
+    const columns = [...this.stillTexts];  // whose first number is near the corner
     out.push(this.nameRows());
     const {y, height} = this.stillTexts.at(-1);
-    for (const row of ticks(this.firstRow(), view.y1, tickStep(cell, 24 * s))) {
-      const baseline = toPixels(this.at, 0, row)[1] + 7 * s;
-      if (baseline - 0.8 * size > y + height) out.push(this.tick(written(row), box.x - 8 * s, baseline, 'end'));
+    for (const row of ticks(this.firstRow(), view.y1 + onLines, tickStep(cell, 24 * s))) {
+      const baseline = toPixels(this.at, 0, row - off)[1] + 7 * s;
+      if (!onLines && baseline - 0.8 * size <= y + height) continue;
+      const width = textWidth(written(row), size), right = box.x - 8 * s;
+      const number = {x: right - width, y: baseline - 0.8 * size, width, height: size};
+      if (columns.some((other) => overlap(other, number))) continue;
+      out.push(this.tick(written(row), box.x - 8 * s, baseline, 'end'));
     }
     const x = Math.max(Math.min(box.x + box.width + 6 * s, right - name), end + 8 * s);
     out.push(this.stillText(grid.x_name, x, bottom, 'start', 'italic'));
@@ -112,6 +121,8 @@ class StillDrawing {
   nameRows() {
     const {box, s, yUp, follows, left, top} = this.at, {y_name: name} = this.run.trace.grid, size = TEXT * s;
     const text = `${name} ${yUp ? '↑' : '↓'}`, edge = box.x - 8 * s;
+    // Beside the first number, not over it
+    if (this.run.trace.grid.on_lines) return this.stillText(text, box.x, box.y - 6 * s, 'start', 'italic');
     if (box.y - top < size && !follows) return this.stillText(text, edge, box.y + 16 * s, 'end', 'italic');
     // A long name may stand over the grid's corner, but not in the margin
     const x = Math.max(edge - textWidth(name, size, 'italic'), left);
