@@ -36,7 +36,7 @@ int main() {
 
   // The step that covers the last pixel as a figure
   const TopicEntry& topic = *find_entry("triangle_coverage");
-  const Trace trace = trace_of(topic, {});
+  const Trace trace = trace_of(topic, {{"triangles", "1,3 4,1 2,5"}});
   Playhead playhead(trace);
   const Figure figure = figure_of(trace, playhead, trace.telling);
   const Colophon colophon{figure.title, caption_of(figure), "examples/scan_conversion/triangle_coverage", ""};

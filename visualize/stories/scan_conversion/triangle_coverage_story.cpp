@@ -94,10 +94,15 @@ class Story {
 
   void show(Board& board, const SignsShown&) {
     count(board);
-    board.mark("above", Role::candidate, Area{{drawing_->outline()}, 2});
+    // Two signs a light tint, three a full one
+    for (const int which : {3, 5, 6, 7}) {
+      const std::array<bool, 3> positive{(which & 1) != 0, (which & 2) != 0, (which & 4) != 0};
+      board.mark(fmt::format("region {}", which), Role::candidate,
+                 Area{{drawing_->region(positive)}, which == 7 ? 0 : 1});
+    }
     for (const ivec2 p : pixels_of(subject_.window)) board.bare(p);
     for (const auto& [signs, at] : drawing_->regions())
-      board.keep("region " + signs, Role::input, Text{at, signs});
+      board.mark("signs " + signs, Role::input, Text{at, signs});
   }
   Event say(const SignsShown&) const {
     return {.text = "signs", .key = "signs", .phase = words_.shared("words", "set_up")};
@@ -114,7 +119,10 @@ class Story {
     at_hand_ = {t.pixel, look_of(t)};
     board.put(t.pixel, at_hand_->second.role, "", at_hand_->second.color);
     board.mark("at", t.covered ? Role::current : Role::rejected, square(t.pixel));
-    if (!subject_.crowded()) board.mark("signs", Role::input, Text{dvec2(t.pixel), signs_of(t.weights)});
+    board.mark("tie or not", Role::current, Dot{dvec2(t.pixel)});
+    if (const auto edge = decisive(t.weights)) {
+      if (const auto line = drawing_->line(*edge)) board.mark("line at hand", Role::measure, *line);
+    }
     for (std::size_t i = 0; i < 3; ++i) name_edge(board, i, subject_.number(t.weights[i]));
   }
   Event say(const Tested& t) const {
@@ -173,22 +181,30 @@ class Story {
 
   // --- What is drawn
 
-  /// A triangle comes: those before it stay as outlines.
+  /// A triangle comes. All are drawn from the start, and which centres lie on their edges.
   void stand(Board& board, const Triangle& t) {
     count(board);
     settle(board);
+    if (triangle_ == 0) draw_all(board);
     for (const ivec2 p : pixels_of(subject_.window)) {
       if (covered_[place(p)] == 0) board.bare(p);
     }
     drawing_.emplace(subject_, t);
-    const std::vector<dvec2> seen = drawing_->outline();
-    if (seen.size() > 1) board.keep(fmt::format("triangle {}", triangle_), Role::input, Path{seen, true});
     for (std::size_t i = 0; i < 3; ++i) {
       const std::string name(1, "ABC"[i]);
       board.remove("corner " + name);
       const std::optional<dvec2> at = drawing_->beside_corner(i);
       if (at && !subject_.crowded()) board.keep("corner " + name, Role::input, Text{*at, name});
     }
+  }
+  void draw_all(Board& board) const {
+    for (std::size_t i = 0; i < subject_.triangles.size(); ++i) {
+      const Triangle& t = subject_.triangles[i];
+      const std::vector<dvec2> seen = TriangleDrawing(subject_, t).outline();
+      if (seen.size() > 1) board.keep(fmt::format("triangle {}", i), Role::input, Path{seen, true});
+    }
+    for (const ivec2 p : on_edges(subject_))
+      board.keep("tie " + pixel_key(p), Role::input, Dot{dvec2(p), true});
   }
   void draw_edge(Board& board, std::size_t i) const {
     const std::string id(names[i]);
@@ -203,7 +219,7 @@ class Story {
   /// Beside an edge stands its name, and its function's value at the pixel that is asked for.
   void name_edge(Board& board, std::size_t i, std::string_view value = {}) const {
     const auto place = drawing_->beside_edge(i);
-    if (!place || subject_.triangles.size() > 1) return;
+    if (!place || subject_.crowded()) return;
     const auto [at, is_left] = *place;
     const std::string text = value.empty() ? name(i) : fmt::format("{} = {}", name(i), value);
     const Align align = value.empty() ? Align::centre : is_left ? Align::right : Align::left;
@@ -237,10 +253,6 @@ class Story {
 
   // --- What is said
 
-  static std::string signs_of(const Weights& e) {
-    const auto sign = [](std::int64_t value) { return value < 0 ? "−" : value > 0 ? "+" : "0"; };
-    return fmt::format("{} {} {}", sign(e[0]), sign(e[1]), sign(e[2]));
-  }
   static std::string signed_text(double number) { return (number < 0 ? "" : "+") + figure_real(number); }
   /// "2·x + 3·y − 11", without what is 0
   std::string formula(double x, double y, double constant) const {
@@ -286,6 +298,7 @@ class Story {
                         : t.covered           ? "on_owned"
                                               : "on_left",
                 .words = {{"pixel", t.pixel},
+                          {"centre", subject_.place(centre_of(t.pixel))},
                           {"ea", subject_.number(t.weights[0])},
                           {"eb", subject_.number(t.weights[1])},
                           {"ec", subject_.number(t.weights[2])},
@@ -356,9 +369,8 @@ void set_scene(Narrator& narrator, const Subject& subject) {
   grid.x_name = words.symbol("x");
   grid.y_name = words.symbol("y");
   grid.whole = true;
+  grid.on_lines = !lattice;
   narrator.handles("triangles", [&](dvec2 p) { return subject.shown_at(p); }, 1);
-  // The first triangle alone is drawn from the start
-  std::erase_if(narrator.trace().handles, [](const Handle& handle) { return handle.numbers[0] >= 6; });
   narrator.handles("window", as_it_is_in(subject.window));
 }
 
@@ -476,7 +488,7 @@ const TopicEntry& entry() {
                    {.name = "expanded_edges", .standing = Standing::faulty, .tell = tell_expanded}},
        .columns = {{"x"}, {"y"}, {"ea"}, {"eb"}, {"ec"}, {"covered", false}},
        .parameters = subject_parameters(),
-       .examples = {"--triangles '1,3 4,1 2,5'", "--triangles '0,0 6,0 6,6; 0,0 6,6 0,6'",
+       .examples = {"--triangles '1,3 4,1 2,5'", "--triangles '2,1 9,2 10,8 4,9 1,5'",
                     "--samples lattice --method closed_half_planes"},
        .checking = &checking()});
   return topic;

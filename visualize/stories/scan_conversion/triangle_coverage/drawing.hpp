@@ -15,6 +15,18 @@ inline std::vector<ivec2> pixels_of(const Window& window) {
   return pixels;
 }
 
+/// Those whose centres lie on an edge.
+inline std::vector<ivec2> on_edges(const Subject& subject) {
+  std::vector<ivec2> ties;
+  for (const Triangle& t : subject.triangles) {
+    if (doubled_area(t) == 0) continue;
+    for (const ivec2 p : pixels_of(subject.window)) {
+      if (std::ranges::min(weights_at(edges_of(t), p)) == 0) ties.push_back(p);
+    }
+  }
+  return ties;
+}
+
 class TriangleDrawing {
  public:
   TriangleDrawing(const Subject& subject, const Triangle& triangle)
@@ -57,6 +69,13 @@ class TriangleDrawing {
   /// The part of the frame where an edge function is above 0.
   std::vector<dvec2> above(std::size_t i) const {
     return above_0(frame_.corners(), [&](dvec2 p) { return sides_[i].at(p); });
+  }
+  /// The part of the frame where those of these functions are above 0, and no others.
+  std::vector<dvec2> region(const std::array<bool, 3>& positive) const {
+    std::vector<dvec2> ring = frame_.corners();
+    for (std::size_t i = 0; i < 3; ++i)
+      ring = above_0(ring, [&](dvec2 p) { return (positive[i] ? 1 : -1) * sides_[i].at(p); });
+    return ring;
   }
   /// Of each combination of signs a place for it, far from all lines, between a centre and its pixel's
   /// border.

@@ -31,11 +31,19 @@ struct Subject {
     const dvec2 place = at(snap(given + shift()));
     return frame().holds(place) ? std::optional(place) : std::nullopt;
   }
+  /// The triangles' pixels and a rim of others.
+  Window all_round() const {
+    Extent all;
+    for (const Triangle& triangle : triangles) {
+      for (const ivec2 corner : triangle) all.add(at(corner));
+    }
+    return {ivec2(glm::floor(all.lower - 0.5)), ivec2(glm::ceil(all.upper + 0.5))};
+  }
   int columns() const { return window.upper.x - window.lower.x + 1; }
   int rows() const { return window.upper.y - window.lower.y + 1; }
   int size() const { return std::max(columns(), rows()); }
-  /// Whether pixels have no room for texts, or triangles none for names.
-  bool crowded() const { return size() > 8 || triangles.size() > 1; }
+  /// Whether pixels have no room for texts.
+  bool crowded() const { return size() > 8; }
   std::string number(std::int64_t value) const { return figure_real(square_pixels(value)); }
   std::string corners_text(std::size_t triangle) const {
     const auto& [a, b, c] = triangles[triangle];
@@ -77,16 +85,17 @@ inline void add_fan(std::vector<Triangle>& triangles, const std::vector<dvec2>& 
 }
 
 inline Subject subject_of(const Arguments& arguments) {
-  Subject subject{.triangles = {}, .window = *arguments.window("window")};
+  Subject subject{.triangles = {}, .window = {}};
   if (arguments.text("samples") == "lattice") subject.samples = Samples::lattice;
   const auto& origin = arguments.numbers("origin");
   subject.origin = {origin[0], origin[1]};
+  for (const auto& ring : arguments.rings("triangles")) add_fan(subject.triangles, ring, subject.shift());
+  subject.window = arguments.window("window").value_or(subject.all_round());
   const ivec2 first = subject.window.lower;
   if (std::max(std::abs(dvec2(first).x), std::abs(dvec2(first).y)) > farthest - 16)
     refuse("window", "expected a first pixel at most {} out, found {},{}", farthest - 16, first.x, first.y);
   // What is larger than a drawing shows is seen from its first pixel on
   subject.window.upper = glm::min(subject.window.upper, first + 15);
-  for (const auto& ring : arguments.rings("triangles")) add_fan(subject.triangles, ring, subject.shift());
   return subject;
 }
 
@@ -95,7 +104,7 @@ inline std::vector<Parameter> subject_parameters() {
   return {
       {.name = "triangles",
        .type = ParameterType::rings,
-       .default_value = "1,3 4,1 2,5",
+       .default_value = "1,1 6,1 2,5; 6,1 7,5 2,5",
        .example = "0,0 6,0 6,6; 0,0 6,6 0,6",
        .help = "triangles, x right and y down in pixels; more than three corners make a fan of triangles",
        .least = 3,
@@ -104,10 +113,11 @@ inline std::vector<Parameter> subject_parameters() {
        .sizes = {1e-6, 1e6}},
       {.name = "window",
        .type = ParameterType::window,
-       .default_value = "0,0,5,5",
+       .default_value = "",
        .example = "0,0,7,7",
-       .help = "the pixels that are asked for: xmin,ymin,xmax,ymax, both corners included; of more than 16 "
-               "columns or rows the first 16"},
+       .help =
+           "the pixels that are asked for: xmin,ymin,xmax,ymax, both corners included, else all and a rim; "
+           "of more than 16 columns or rows the first 16"},
       choice("samples", {"centres", "lattice"}, "centres", "lattice",
              "where it is asked: at the pixels' centres, or at the points of whole numbers"),
       numbers("origin", "100000000,100000000", "0,0",
