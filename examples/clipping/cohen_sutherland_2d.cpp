@@ -31,7 +31,8 @@ int main() {
   cut_of_a_cut(line, window, usual_order<2>(), watch);
 
   // Step 2 as a figure
-  const Trace trace = trace_of(*find_entry("cohen_sutherland_2d"), {{"line", "-3,-8,13,16"}});
+  const Trace trace =
+      trace_of(*find_entry("cohen_sutherland_2d"), {{"line", "-3,-8,13,16"}, {"window", "0,0,10,10"}});
   Playhead playhead(trace);
   const Figure figure = figure_of(trace, playhead, {2, 0});
   const Colophon colophon{figure.title, caption_of(figure), "examples/clipping/cohen_sutherland_2d", ""};

@@ -29,7 +29,7 @@ int main() {
   parametric(line, window, usual_order<2>(), watch);
 
   // Step 2 as a figure
-  const Trace trace = trace_of(*find_entry("liang_barsky"), {{"line", "-5,5,15,5"}});
+  const Trace trace = trace_of(*find_entry("liang_barsky"), {{"line", "-5,5,15,5"}, {"window", "0,0,10,10"}});
   Playhead playhead(trace);
   const Figure figure = figure_of(trace, playhead, {2, 0});
   const Colophon colophon{figure.title, caption_of(figure), "examples/clipping/liang_barsky", ""};

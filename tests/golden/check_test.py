@@ -224,10 +224,10 @@ def test_figures():
                         (["--trace", "mine.csv", "--panels", "phases"], "--panels: expected either this or --trace, found both")):
         done = gradus("figure", "bresenham_line", *words, "-o", "x.svg")
         equal((done.code, done.err), (2, f"gradus: {said}\n"), f"{words}")
-    values = gradus("run", "liang_barsky", "--json").out.replace('"x0":0.0', '"x0":1.5')
+    values = gradus("run", "liang_barsky", "--json").out.replace('"x0":1.0', '"x0":1.5')
     write("lb.json", re.sub(r'"result": .*', '"result": {"accepted":false}', values))
     done = gradus("figure", "liang_barsky", "--trace", "lb.json", "-o", "-", "--svg-text", "text")
-    check("x0 = 1.5 ≠ 0" in done.out and "accepted = false ≠ true" in done.out, "values of a topic without pixels")
+    check("x0 = 1.5 ≠ 1" in done.out and "accepted = false ≠ true" in done.out, "values of a topic without pixels")
 
 
 # --- Examples ------------------------------------------------------------------------------------------------------

@@ -46,7 +46,7 @@ class Story {
   Story(const Words& words, const Subject& subject, Way way)
       : words_(words),
         subject_(subject),
-        plane_(subject.line, subject.window, {{3.2, 5}, {35, 26}}),
+        plane_(subject.line, subject.window, {{3.2, 5}, {35, 25}}, code_size),
         way_(way),
         whole_(way == Way::whole_or_nothing),
         now_(subject.line) {}
@@ -82,6 +82,7 @@ class Story {
     plane_.add_point(view, "cut now", Role::measure, c.to(), c.to(),
                      fmt::format("{}: {}", figure_place(c.to()), digits(c.after())), false, end(c.of_a));
     board.milestone(std::move(view));
+    board.tells(static_cast<double>(cuts_.size()));
   }
   Event say(const Cut<double>& c) const {
     const int axis = axis_of(c.border);
@@ -105,6 +106,7 @@ class Story {
                                 digits(c.after())),
             .row = row(cuts_.size(), c.of_a, c.border, c.to()),
             .key = std::string(name_of(c.border)),
+            .phase = name(c.border),
             .decides = decision()};
   }
 
@@ -177,6 +179,8 @@ class Story {
   const std::vector<Field>& result() const { return result_; }
 
  private:
+  static constexpr dvec2 code_size{3.7, 2.2};  ///< of a code and some room round it
+
   std::string name(Border border) const { return words_.say(fmt::format("border.{}", name_of(border))); }
   std::string beyond(Border border) const { return words_.say(fmt::format("beyond.{}", name_of(border))); }
   static std::string end(bool of_a) { return of_a ? "a" : "b"; }
@@ -250,7 +254,7 @@ class Story {
       for (int k = 0; k < 3; ++k) {
         const Code region = static_cast<Code>(across[i] | up[k]);
         const auto place =
-            plane_.clear_place({{xs[i], ys[k]}, {xs[i + 1], ys[k + 1]}}, subject_.line, {3.2, 1.7});
+            plane_.clear_place({{xs[i], ys[k]}, {xs[i + 1], ys[k + 1]}}, subject_.line, code_size - 0.5);
         if (!place) continue;
         view.add(
             {fmt::format("region {:02}", region), Role::guide, Text{*place, digits(region)}, end_in(region)});
@@ -390,13 +394,12 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                    {.id = "code_a", .numeric = false, .quantity = "a"},
                    {.id = "code_b", .numeric = false, .quantity = "b"}},
        .parameters =
-           {window_view::line_parameter("-3,-8,13,16"), window_view::window_parameter(),
-            window_view::order_parameter(),
+           {window_view::line_parameter(), window_view::window_parameter(), window_view::order_parameter(),
             noted(&Notation::bits,
                   choice("code_bits", {"TBRL", "LRBT"}, "TBRL", "LRBT",
                          "which border each digit of a code stands for: T top, B bottom, R right, L left")),
             exact_parameter()},
-       .examples = {"--line -3,-8,13,16", "--window 0,0,10,10 --line -5,8,3,20",
+       .examples = {"--line -3,-8,13,16 --window 0,0,10,10", "--window 0,0,10,10 --line -5,8,3,20",
                     "--line 5,5,-5,5 --method codes_only"},
        .checking = &checking()});
   return topic;

@@ -39,6 +39,9 @@ class Story {
   }
 
   void show(Board& board, const Tested<double>& t) {
+    // The run's figure is of the last step that changes the interval, rather its end
+    const double worth = leave_ != t.leave ? 2 : enter_ != t.enter ? 1 : 0;
+    if (worth > 0) board.tells(worth + 0.01 * static_cast<double>(crossed_.size()));
     enter_ = t.enter;
     leave_ = t.leave;
     crossed_.push_back({t.border, t.crossing, t.t});
@@ -60,6 +63,7 @@ class Story {
             .row = {name(t.border), t.p, t.q, now.crosses() ? figure_real(t.t) : "", kind(t.crossing),
                     t.enter, t.leave},
             .key = std::string(name_of(t.border)),
+            .phase = name(t.border),
             .decides = crossing(t.border, t.crossing)};
   }
 
@@ -111,6 +115,7 @@ class Story {
   void draw(Board& board, Role left_over = Role::current) const {
     View view;
     ground_.add_box_and_ends(view, words_);
+    ground_.add_prolonged(view);
     scale_.add_to(view, words_.symbol("t"));
     add_line(view, left_over);
     for (const Crossed& c : crossed_) {
@@ -217,6 +222,7 @@ class OrderedStory : public Story<2> {
             .row = {name(o.border), kind(o.crossing), now.crosses() ? "≈ " + figure_real(now.t) : "",
                     first(o.span), last(o.span)},
             .key = std::string(name_of(o.border)),
+            .phase = name(o.border),
             .decides = crossing(o.border, o.crossing)};
   }
 
@@ -343,7 +349,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     .unread = {"line", "window", "order"},
                     .exact = true}},
        .columns = {{"border", false}, {"p"}, {"q"}, {"t"}, {"kind", false}, {"enter"}, {"leave"}},
-       .parameters = {window_view::line_parameter("-4,3,6,15"), window_view::window_parameter(),
+       .parameters = {window_view::line_parameter(), window_view::window_parameter(),
                       window_view::order_parameter(),
                       numbers("space_line", "-2,1,2,12,11,9", "-2,1,2,12,11,9",
                               "method box_parametric: the segment's ends x0,y0,z0,x1,y1,z1",
@@ -353,7 +359,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                           "method box_parametric: the box xmin,ymin,zmin,xmax,ymax,zmax, its faces included",
                           {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"}, window_view::rounded_sizes),
                       exact_parameter()},
-       .examples = {"--line -4,3,6,15", "--window 0,0,10,10 --line -5,8,3,20", "--line -3,-8,13,16"},
+       .examples = {"--line -4,3,6,15 --window 0,0,10,10", "--window 0,0,10,10 --line -5,8,3,20",
+                    "--line -3,-8,13,16"},
        .checking = &checking()});
   return topic;
 }

@@ -25,7 +25,8 @@ inline Line line_in(const Arguments& arguments) { return segment_in<2>(arguments
 inline Rectangle window_in(const Arguments& arguments) { return box_in<2>(arguments, "window"); }
 
 /// What of the plane is shown: the window with room round it, and ends of the segment that are not far away.
-inline Extent world_of(const Line& line, const Rectangle& window) {
+/// rim: of this place, so much of the paper round the window.
+inline Extent world_of(const Line& line, const Rectangle& window, const Extent& place = {}, dvec2 rim = {}) {
   Extent world{window.lower, window.upper};
   const dvec2 size = world.size();
   double room = std::max(size.x, size.y);
@@ -35,6 +36,13 @@ inline Extent world_of(const Line& line, const Rectangle& window) {
   world = {window.lower - 0.24 * room, window.upper + 0.24 * room};
   for (const dvec2 end : {line.a, line.b}) {
     if (cohen_sutherland_2d::region_code(end, near) == 0) world.add(end);
+  }
+  // The rim takes room from what it is measured by
+  for (int i = 0; i < 3 && rim.x > 0; ++i) {
+    const dvec2 units = world.size() / place.size();
+    const double unit = std::max(units.x, units.y);
+    world.add(window.lower - unit * rim);
+    world.add(window.upper + unit * rim);
   }
   return widened(world, 0.015);
 }
@@ -57,8 +65,8 @@ inline void add_break(View& view, const std::string& id, Role role, dvec2 at, dv
 /// The plane in a part of the paper.
 class DrawnPlane {
  public:
-  DrawnPlane(const Line& line, const Rectangle& window, Extent place)
-      : panel_(tight_panel(place, world_of(line, window))), window_(window) {
+  DrawnPlane(const Line& line, const Rectangle& window, Extent place, dvec2 rim = {})
+      : panel_(tight_panel(place, world_of(line, window, place, rim))), window_(window) {
     const Extent shown = panel_.shown();
     shown_ = {shown.lower, shown.upper};
   }
@@ -200,12 +208,13 @@ inline Event accepted(const Line& piece, const Off& off) {
 }
 
 /// The parameters that both topics have.
-inline Parameter line_parameter(std::string line) {
-  return parameters::numbers("line", line, "-5,8,3,20", "the segment, from (x0, y0) to (x1, y1); y points up",
-                             {"x0", "y0", "x1", "y1"}, line_sizes);
+inline Parameter line_parameter() {
+  return parameters::numbers("line", "-1,-2,9,8", "-5,8,3,20",
+                             "the segment, from (x0, y0) to (x1, y1); y points up", {"x0", "y0", "x1", "y1"},
+                             line_sizes);
 }
 inline Parameter window_parameter() {
-  return parameters::bounds("window", "0,0,10,10", "0,0,10,8", "the window, its borders included",
+  return parameters::bounds("window", "0,0,8,6", "0,0,10,8", "the window, its borders included",
                             {"xmin", "ymin", "xmax", "ymax"}, window_sizes);
 }
 inline Parameter order_parameter() {

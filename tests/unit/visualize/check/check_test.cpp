@@ -339,6 +339,7 @@ TEST(CheckTest, PolygonsFromAnotherCornerOn) {
 
 TEST(CheckTest, CutsOnTheirOwnSegment) {
   const TopicEntry& topic = topic_of("cohen_sutherland_2d");
+  const GivenTexts given{{"line", "-3,-8,13,16"}, {"window", "0,0,10,10"}};
   // The first cut has y off by one; the second is right on the line through it, or is ours
   const auto steps = [](double x) {
     return fmt::format(R"({{"answers": [{{"arguments": {{}}, "steps": [
@@ -347,8 +348,8 @@ TEST(CheckTest, CutsOnTheirOwnSegment) {
                        x);
   };
   // From (0, -2.5) to (13, 16): x = 2.5 * 13 / 18.5
-  const Judgement follows = judged(topic, {}, steps(2.5 * 13 / 18.5)),
-                  ours = judged(topic, {}, steps(7.0 / 3));
+  const Judgement follows = judged(topic, given, steps(2.5 * 13 / 18.5)),
+                  ours = judged(topic, given, steps(7.0 / 3));
   EXPECT_EQ(follows.step, 1);
   EXPECT_EQ(follows.later, Follows::yes) << follows.later_text;
   EXPECT_EQ(ours.later, Follows::no);

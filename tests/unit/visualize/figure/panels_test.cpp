@@ -137,7 +137,8 @@ TEST(Compare, TakesAMethodATopicOrInputs) {
   EXPECT_EQ(method.arguments.text("method"), "first_octant");
   EXPECT_EQ(method.arguments.text("to"), "2,4");
   EXPECT_EQ(method.text, "first_octant");
-  const OtherSide other = beside("cohen_sutherland_2d", "liang_barsky", {{"line", "-3,-8,13,16"}});
+  const OtherSide other =
+      beside("cohen_sutherland_2d", "liang_barsky", {{"line", "-3,-8,13,16"}, {"window", "0,0,10,10"}});
   EXPECT_EQ(other.topic->name, "liang_barsky");
   EXPECT_EQ(other.arguments.text("line"), "-3,-8,13,16");
   EXPECT_EQ(other.text, "liang_barsky");

@@ -101,7 +101,8 @@ std::vector<Paint> paints_of(const Sheet& sheet, std::string_view id) {
 }
 
 TEST(Typesetting, AnEndAndItsCodeHaveOneColour) {
-  const Trace trace = test::trace_of("cohen_sutherland_2d", {{"line", "-3,-8,13,16"}});
+  const Trace trace =
+      test::trace_of("cohen_sutherland_2d", {{"line", "-3,-8,13,16"}, {"window", "0,0,10,10"}});
   const Paint a = Paint::quantity(0), b = Paint::quantity(2);
   const Sheet sheet = drawn(trace, {1, 0});
   const auto only = [&](std::string_view id) {
@@ -134,7 +135,7 @@ TEST(Typesetting, AnEndAndItsCodeHaveOneColour) {
 }
 
 TEST(Typesetting, ACodeThatBothEndsHaveBelongsToTheOneNamedBeforeIt) {
-  const Trace trace = test::trace_of("cohen_sutherland_2d", {{"line", "-3,5,-5,6"}});
+  const Trace trace = test::trace_of("cohen_sutherland_2d", {{"line", "-3,5,-5,6"}, {"window", "0,0,10,10"}});
   const std::string code = trace.steps.front().row[5];
   ASSERT_EQ(code, trace.steps.front().row[6]);
   Sheet sheet;

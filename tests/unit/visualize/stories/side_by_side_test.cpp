@@ -86,7 +86,8 @@ TEST(SideBySide, EveryNumberHasItsExactValueAndItsErrors) {
 
 TEST(SideBySide, EveryNumberOfEveryStepIsTold) {
   // Two differences and four times t, enter and leave; then the ends
-  const Trace line = test::trace_of("liang_barsky", {{"line", "-1,2,11,7"}, {"exact", "yes"}});
+  const Trace line =
+      test::trace_of("liang_barsky", {{"line", "-1,2,11,7"}, {"window", "0,0,10,10"}, {"exact", "yes"}});
   std::vector<std::string> names;
   for (const TraceStep& step : line.steps) {
     if (!step.row.empty()) names.push_back(step.row[0]);
@@ -176,7 +177,8 @@ TEST(SideBySide, WhereAllAgreeNothingIsMarked) {
 }
 
 TEST(SideBySide, ARunThatFloatCannotHoldIsComparedAsFarAsItWent) {
-  const Trace trace = test::trace_of("liang_barsky", {{"line", "-1e60,0,1e60,5"}, {"exact", "yes"}});
+  const Trace trace =
+      test::trace_of("liang_barsky", {{"line", "-1e60,0,1e60,5"}, {"window", "0,0,10,10"}, {"exact", "yes"}});
   const auto row = std::ranges::find_if(trace.steps, [](const TraceStep& s) { return !s.row.empty(); });
   ASSERT_NE(row, trace.steps.end());
   EXPECT_EQ(row->row[1], "–");
@@ -209,7 +211,8 @@ TEST(SideBySide, TheEndsInSpaceAreTold) {
 }
 
 TEST(SideBySide, OnPaperTheMarkStandsAtAPlaceOfTheStep) {
-  const Trace corner = test::trace_of("liang_barsky", {{"line", "-2,7.5,6.4,18"}, {"exact", "yes"}});
+  const Trace corner =
+      test::trace_of("liang_barsky", {{"line", "-2,7.5,6.4,18"}, {"window", "0,0,10,10"}, {"exact", "yes"}});
   EXPECT_EQ(result_of(corner, "float_differs_at"), "5");
   bool marked = false;
   for (const TraceStep& step : corner.steps) {

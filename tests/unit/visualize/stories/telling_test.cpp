@@ -106,15 +106,15 @@ std::vector<Rare> rare_runs() {
       {"bresenham_line", {{"method", "first_octant"}, {"to", "0,0"}}},
       {"bresenham_line", {{"method", "first_octant"}, {"to", "2,1"}}},
       {"bresenham_line", {{"window", "-9,-9,-5,-5"}}},
-      {"cohen_sutherland_2d", {{"line", "-5,1,-3,5"}}},
-      {"cohen_sutherland_2d", {{"line", "1,1,5,5"}}},
-      {"cohen_sutherland_2d", {{"line", "-5,5,5,5"}, {"method", "codes_only"}}},
-      {"cohen_sutherland_2d", {{"line", "-2,7.5,6.4,18"}}},
-      {"cohen_sutherland_2d", {{"line", "-9.7,3.3,14.1,12.9"}}},
-      {"cohen_sutherland_2d", {{"line", "-0.1,-0.7,10.3,9.9"}}},
-      {"cohen_sutherland_2d", {{"line", "-7,3,14.1,12.7"}}},
-      {"cohen_sutherland_2d", {{"line", "-3.1,-8.3,13.7,16.9"}}},
-      {"cohen_sutherland_2d", {{"line", "-1e15,-1e15,1e15,1.1e15"}}},
+      {"cohen_sutherland_2d", {{"line", "-5,1,-3,5"}, {"window", "0,0,10,10"}}},
+      {"cohen_sutherland_2d", {{"line", "1,1,5,5"}, {"window", "0,0,10,10"}}},
+      {"cohen_sutherland_2d", {{"line", "-5,5,5,5"}, {"window", "0,0,10,10"}, {"method", "codes_only"}}},
+      {"cohen_sutherland_2d", {{"line", "-2,7.5,6.4,18"}, {"window", "0,0,10,10"}}},
+      {"cohen_sutherland_2d", {{"line", "-9.7,3.3,14.1,12.9"}, {"window", "0,0,10,10"}}},
+      {"cohen_sutherland_2d", {{"line", "-0.1,-0.7,10.3,9.9"}, {"window", "0,0,10,10"}}},
+      {"cohen_sutherland_2d", {{"line", "-7,3,14.1,12.7"}, {"window", "0,0,10,10"}}},
+      {"cohen_sutherland_2d", {{"line", "-3.1,-8.3,13.7,16.9"}, {"window", "0,0,10,10"}}},
+      {"cohen_sutherland_2d", {{"line", "-1e15,-1e15,1e15,1.1e15"}, {"window", "0,0,10,10"}}},
       {"cohen_sutherland_3d", {{"line", "1,1,1,20,1,1"}}},
       {"cohen_sutherland_3d", {{"line", "-5,1,1,-3,5,5"}}},
       {"flood_fill", {{"maze", "."}, {"at", "0,0"}}},
@@ -122,9 +122,9 @@ std::vector<Rare> rare_runs() {
       {"flood_fill", {{"at", "11,0"}, {"method", "unchecked_seed"}}},
       {"flood_fill", {{"at", "100,100"}, {"method", "unchecked_seed"}}},
       {"jittered", {{"method", "divided_by_asked"}, {"samples", "3"}}},
-      {"liang_barsky", {{"line", "-8,5,5,15"}}},
-      {"liang_barsky", {{"line", "-2,7.5,6.4,18"}}},
-      {"liang_barsky", {{"line", "-3.1,-8.3,13.7,16.9"}}},
+      {"liang_barsky", {{"line", "-8,5,5,15"}, {"window", "0,0,10,10"}}},
+      {"liang_barsky", {{"line", "-2,7.5,6.4,18"}, {"window", "0,0,10,10"}}},
+      {"liang_barsky", {{"line", "-3.1,-8.3,13.7,16.9"}, {"window", "0,0,10,10"}}},
       {"liang_barsky", {{"method", "box_parametric"}, {"space_line", "-5,1,1,-3,5,5"}}},
       {"liang_barsky_circle",
        {{"line", "-100000000,0.5,100000000,0.5"},
@@ -162,7 +162,7 @@ std::vector<Rare> rare_runs() {
       {"viewport", {{"points", "2,0"}, {"method", "clamped"}}}};
   for (const std::string line : {"1,5,12,5", "1,15,12,15", "-8,5,5,15"}) {
     for (const std::string method : {"parametric", "correctly_rounded"})
-      runs.push_back({"liang_barsky", {{"line", line}, {"method", method}}});
+      runs.push_back({"liang_barsky", {{"line", line}, {"window", "0,0,10,10"}, {"method", method}}});
   }
   for (const std::string line : {"6,0,9,0", "-9,1,9,1", "-9,5,9,5", "-9,6,9,6", "1,1,1,1"}) {
     for (const std::string method : {"half_chord", "exact_decision"})

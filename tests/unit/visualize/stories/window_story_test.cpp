@@ -36,10 +36,11 @@ TEST(WindowStory, DoublesAreCountedAcrossZeroAndFarApart) {
 
 TEST(WindowStory, MovedEndsAreToldByDoublesOrByDistance) {
   // A cut of a cut, one double off
-  const Trace near = test::trace_of("cohen_sutherland_2d", {{"line", "-7,3,14.1,12.7"}});
+  const Trace near =
+      test::trace_of("cohen_sutherland_2d", {{"line", "-7,3,14.1,12.7"}, {"window", "0,0,10,10"}});
   EXPECT_THAT(near.steps.back().sentence, HasSubstr("rounding has left an end off by 1 in its last digit"));
   // Through a corner: right is x = 0, from which nobody counts doubles
-  const Trace far = test::trace_of("liang_barsky", {{"line", "-2,7.5,6.4,18"}});
+  const Trace far = test::trace_of("liang_barsky", {{"line", "-2,7.5,6.4,18"}, {"window", "0,0,10,10"}});
   EXPECT_THAT(far.steps.back().sentence, HasSubstr("rounding has moved an end by "));
   EXPECT_THAT(far.steps.back().sentence, Not(HasSubstr("double")));
   const auto right = liang_barsky::correctly_rounded(window_view::Line{{-2, 7.5}, {6.4, 18}},

@@ -150,7 +150,7 @@ TEST(WorksheetInputs, OfCirclesTheBeginningsOfLongerRunsServe) {
 TEST(WorksheetInputs, ARoundedNumberIsKnown) {
   const TopicEntry& entry = topic("liang_barsky");
   const auto rounded_rows = [&](const char* line) {
-    const Argument given[] = {{"line", line}};
+    const Argument given[] = {{"line", line}, {"window", "0,0,10,10"}};
     const Trace trace = entry.run(arguments_of(entry, given), {0, 4000, Wording()});
     const Exercise exercise = exercise_of(std::make_shared<const Trace>(trace), 12);
     return std::ranges::count_if(exercise.rows, &ExerciseRow::rounded);

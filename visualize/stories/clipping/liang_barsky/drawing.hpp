@@ -55,6 +55,11 @@ class Scale {
   }
   void add_to(View& view, std::string_view symbol) const {
     line_.add_to(view, "t", symbol);
+    // Of several drawings none has room for numbers
+    for (auto& [id, mark] : view.marks) {
+      auto* const text = std::get_if<Text>(&mark.shape);
+      if (text && id.starts_with("scale t")) text->aside = true;
+    }
     if (low_) add_end(view, "t low", {from, height}, line_.at(least_));
     if (high_) add_end(view, "t high", {to, height}, line_.at(most_) + dvec2{name_room, 0});
   }
@@ -157,13 +162,20 @@ template <>
 class Ground<2> {
  public:
   explicit Ground(const Subject<2>& subject)
-      : subject_(subject), plane_(subject.line, subject.box, {{3.2, 9.8}, {35, 26}}) {}
+      : subject_(subject), plane_(subject.line, subject.box, {{3.2, 9.8}, {35, 25.4}}) {}
 
   static constexpr double least = -1, most = 2;  ///< values of t that are not far away
   void add_box_and_ends(View& view, const Words& words) const {
     plane_.add_window(view, words);
     plane_.add_point(view, "end a", Role::input, subject_.line.a, subject_.line.b, "a");
     plane_.add_point(view, "end b", Role::input, subject_.line.b, subject_.line.a, "b");
+  }
+  /// The line before and behind the segment, where it crosses borders.
+  void add_prolonged(View& view) const {
+    for (const double t : {least, most}) {
+      const window_view::Line part{subject_.point(t), subject_.point(t < 0 ? 0 : 1)};
+      if (is_finite(part.a)) plane_.add_line(view, t < 0 ? "line ahead" : "line behind", Role::guide, part);
+    }
   }
   void add_part(View& view, std::string id, Role role, double from, double to, bool dashed) const {
     plane_.add_line(view, std::move(id), role, {subject_.point(from), subject_.point(to)}, dashed);
@@ -194,6 +206,7 @@ class Ground<3> {
     view.add_named("end a", Role::input, at(0), "a");
     view.add_named("end b", Role::input, at(1), "b");
   }
+  static void add_prolonged(View&) {}
   void add_part(View& view, std::string id, Role role, double from, double to, bool dashed) const {
     view.add({std::move(id), role, Stroke{at(from), at(to), false, dashed}});
   }
