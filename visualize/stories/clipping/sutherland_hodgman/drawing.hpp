@@ -195,6 +195,10 @@ class PlaneDrawing {
   void add_input() {
     view_.add({"b window", Role::boundary, Path{panel_.at(subject_.window()), true}});
     add_axes(view_, panel_, "a axes", {words_.symbol("x"), words_.symbol("y")});
+    // Of several drawings none has room for numbers beside corners' names
+    for (auto& [id, mark] : view_.marks) {
+      if (auto* text = std::get_if<Text>(&mark.shape)) text->aside = true;
+    }
     if (subject_.oblique) {
       for (const int border : subject_.order) {
         const Segment<2, double> line = subject_.border(border);
