@@ -65,7 +65,9 @@ inline void draw_ideal(Narrator& narrator, const Circle& circle, int longest_wat
     narrator.backdrop("ideal circle", Role::boundary, ideal_arc(circle, octants[0], told));
   } else {
     narrator.backdrop("ideal circle", Role::boundary, ideal_circle(circle));
-    named = point_of(circle.center, octants[4], dvec2(circle.radius * std::sqrt(0.5)));
+    // Far from what is told, or, where the octant is shown alone, at its end
+    const bool alone = narrator.trace().grid.part.has_value();
+    named = point_of(circle.center, octants[alone ? 0 : 4], dvec2(circle.radius * std::sqrt(0.5)));
   }
   if (named)
     narrator.backdrop("ideal circle name", Role::boundary, Label{*named, narrator.words().say("ideal")});
@@ -105,12 +107,22 @@ inline void draw_key(Narrator& narrator, Key key) {
                    {Role::measure, "error"}});
 }
 
+/// The pixels of the octant that is told, and their neighbours.
+inline Window octant_of(const Circle& circle) {
+  const auto end = static_cast<int>(last_column(circle.radius));
+  const auto height = static_cast<int>(height_at(circle.radius, end));
+  return {circle.center + ivec2{-1, height - 1}, circle.center + ivec2{end + 1, circle.radius}};
+}
+
 /// What stands unchanged behind all steps.
 inline void draw_circle(Narrator& narrator, const Circle& circle, int longest_watched, Key key) {
-  constexpr int most_whole = 20;  // a larger one is watched in a view that follows the step
+  constexpr int most_whole = 20;   // a larger one is watched in a view that follows the step
+  constexpr int least_octant = 6;  // a smaller one has large pixels as a whole
   narrator.grid(circle.window ? *circle.window
                               : Window{circle.center - circle.radius, circle.center + circle.radius});
   narrator.trace().grid.whole = !circle.window && circle.radius <= most_whole;
+  if (key == Key::mirrored && !circle.window && circle.radius >= least_octant && circle.radius <= most_whole)
+    narrator.trace().grid.part = octant_of(circle);
   narrator.subtitle("subtitle", {{"center", circle.center}, {"radius", circle.radius}});
   if (circle.window) {
     narrator.retitle("in_window");
