@@ -31,7 +31,7 @@ class DecisionStory {
     board.plot(s.from, Role::current);
   }
   Event say(const Started& s) const {
-    return standing({.text = "started",
+    return standing({.text = steep(s.from, s.to) ? "started_steep" : "started",
                      .facts = {{"from", s.from}, {"to", s.to}, {"dx", s.dx}, {"dy", s.dy}, {"p", s.p}},
                      .words = {{"dx_factor", figure_factor(s.dx)}, {"dy_factor", figure_factor(s.dy)}}});
   }
@@ -208,6 +208,10 @@ class DecisionStory {
     if (miss == 0) return;
     const dvec2 at(pixel), ideal = ideal_at(line_, k_);
     board.mark("error", Role::measure, Stroke{at, ideal});
+    // In a large pixel the fraction stands at the foot of its line
+    const dvec2 along(line_.go.straight), aside = (at - ideal) / length_between(at, ideal);
+    if (size_.dx <= (along.x == 0 ? 5 : 9))
+      return board.mark("error name", Role::measure, Text{at + 0.28 * (aside - along), error_text(miss)});
     board.mark("error name", Role::measure,
                Label{0.5 * (at + ideal), words_.say("error", {{"error", error_text(miss)}})});
   }

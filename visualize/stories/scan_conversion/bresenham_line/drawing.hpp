@@ -83,6 +83,11 @@ inline void draw_line(Narrator& narrator, const Line& line) {
     narrator.backdrop("ideal line name", Role::boundary,
                       Label{ideal_at(line, line.size.dx * 5 / 6), ideal_name(narrator.words(), line)});
   }
+  // The code has the names of the first octant
+  const Words& words = narrator.words();
+  const auto& [straight, diagonal, tie] = line.go;
+  if (!point && straight != ivec2{1, 0}) narrator.named_in_the_code(words.move(straight), "E");
+  if (!point && diagonal != ivec2{1, 1}) narrator.named_in_the_code(words.move(diagonal), "NE");
   narrator.legend(
       {Role::past, Role::current, Role::candidate, Role::rejected, Role::result, {Role::measure, "error"}});
 }
