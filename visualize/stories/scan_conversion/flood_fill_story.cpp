@@ -20,7 +20,7 @@ constexpr std::int64_t most_pixels = std::int64_t{1} << 26;
 
 /// A small maze with a corner to turn, a dead end and a diagonal gap: 4- and 8-connected fills differ.
 constexpr std::string_view example_maze =
-    "##########/#....#...#/#.##.#.#.#/#.#....#.#/#.#.####.#/#...#..#.#/##########";
+    "##########/#....#...#/#.##.#.#.#/#.#....#.#/#.#..###.#/#...#..#.#/##########";
 
 /// What stands unchanged behind all steps, and around them.
 void set_scene(Narrator& narrator, const Subject& subject, const Way& way, Rgba8 paint) {
@@ -31,10 +31,13 @@ void set_scene(Narrator& narrator, const Subject& subject, const Way& way, Rgba8
   narrator.trace().method_title =
       words.say("connected", {{"method", narrator.trace().method_title},
                               {"connectivity", narrator.arguments().text("connectivity")}});
-  narrator.trace().grid = {.cells = shown_cells(subject),
+  const Window shown = shown_cells(subject);
+  constexpr std::int64_t small = 12;  // columns and rows that a panel shows, too
+  narrator.trace().grid = {.cells = shown,
                            .y_up = false,
                            .x_name = words.say("column.column"),
                            .y_name = words.say("column.row"),
+                           .whole = subject.is_maze && shown.width() <= small && shown.height() <= small,
                            .shelf = shelf_rows(subject),
                            .picture = subject.is_maze ? nullptr : subject.picture};
   for (const std::string_view cells : {"at", "window"})
@@ -47,7 +50,8 @@ void set_scene(Narrator& narrator, const Subject& subject, const Way& way, Rgba8
   }
   const std::string_view counts = way.column.empty() ? "runs" : name_of(way.counts);
   const std::string past = subject.is_maze ? fmt::format("past.{}", counts) : "past";
-  narrator.legend({Role::current,
+  narrator.legend({{Role::input, "seed"},
+                   Role::current,
                    {Role::candidate, fmt::format("candidate.{}", way.waiting)},
                    {Role::past, past},
                    Role::accepted,

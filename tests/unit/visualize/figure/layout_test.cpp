@@ -303,7 +303,10 @@ TEST(Layout, AxesAndSlotsStayPutOverAllSteps) {
 }
 
 TEST(Layout, AViewThatFollowsLeavesTheShelfAway) {
-  const Trace trace = test::trace_of("flood_fill", {{"method", "recursive"}});
+  std::string maze(24, '.');
+  for (int row = 1; row < 16; ++row) maze += "/" + std::string(24, '.');
+  const Trace trace = test::trace_of("flood_fill", {{"method", "recursive"}, {"maze", maze}});
+  ASSERT_GT(trace.grid.shelf, 0);
   const Look look{.width = 720, .height = 720};
   Playhead playhead(trace);
   std::size_t followed = 0;
@@ -313,7 +316,8 @@ TEST(Layout, AViewThatFollowsLeavesTheShelfAway) {
     ASSERT_NE(view, trace.grid.cells) << "this size shows all of it: choose a smaller one";
     EXPECT_EQ(view, intersection(view, trace.grid.own())) << text_of(step.number);
     for (const Shape& shape : lay_out(figure, look).shapes) {
-      if (shape.id == "overview size" && std::get<TextShape>(shape.what).text.ends_with("10 × 7")) ++followed;
+      if (shape.id == "overview size" && std::get<TextShape>(shape.what).text.ends_with("24 × 16"))
+        ++followed;
     }
   }
   EXPECT_EQ(followed, trace.steps.size());

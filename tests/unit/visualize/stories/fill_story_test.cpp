@@ -56,10 +56,11 @@ TEST(FillStory, TheShelfHoldsWhatWaits) {
     const Trace trace = test::trace_of("flood_fill", {{"method", method}});
     Waiting waiting{{}, queue};
     Playhead playhead(trace);
+    constexpr int of_title = 3;
     std::size_t most = 0;
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
       waiting.follow(trace.steps[i]);
-      const auto expected = waiting.shown(static_cast<std::size_t>(trace.grid.cells.width()));
+      const auto expected = waiting.shown(static_cast<std::size_t>(trace.grid.cells.width() - of_title));
       EXPECT_EQ(shelf(trace, playhead.at(i)), expected) << i;
       EXPECT_EQ(playhead.at(i).marks().contains("next out"), !expected.empty());
       most = std::max(most, waiting.entries.size());

@@ -79,6 +79,7 @@ class Story {
     if (shelf_rows(subject) == 0) return;
     const Window cells = shown_cells(subject);
     shelf_ = Shelf(cells.lower, static_cast<int>(cells.width()), way.queue(),
+                   words.say(fmt::format("shelf.{}", way.waiting)),
                    words.say(fmt::format("next.{}", way.waiting)));
   }
   /// The pixels painted, in order, as far as a trace keeps steps.
@@ -128,6 +129,8 @@ class Story {
     board.milestone(cell);
     remove_names(board);
     retire(board);
+    leaks_ = leaks(cell.y, cell.x, cell.x);
+    if (leaks_) board.tells(1);
     ++painted_;
     number(board, cell,
            way_.calls()    ? static_cast<std::int64_t>(p.waiting)
@@ -143,7 +146,8 @@ class Story {
     const bool seed = p.from == p.pixel;
     const ivec2 cell = cell_of(p.pixel);
     Event event{
-        .text = !seed             ? "painted.next"
+        .text = leaks_            ? "painted.leak"
+                : !seed           ? "painted.next"
                 : cell == p.pixel ? "painted.seed"
                                   : "painted.elsewhere",
         .facts = {{"from", p.from, "pixel"}, {"pixel", p.pixel}, waiting(p.waiting)},
@@ -151,7 +155,7 @@ class Story {
         .row = {painted_, cell.x, cell.y, seed ? Said(words_.say("seed")) : Said(p.from)},
         .decides = is_free(p.pixel, true)};
     if (way_.queue() && subject_.is_maze) event.row.push_back(distance(p));
-    if (way_.queue() && subject_.is_maze && !seed) {
+    if (way_.queue() && subject_.is_maze && !seed && !leaks_) {
       event.text = "painted.wave";
       event.count = distance(p);
     }
@@ -205,6 +209,12 @@ class Story {
     retire_run(board);
     focus_ = s.found;
     way_filled_ = s.span.way;
+    leaks_ = leaks(s.span.row, s.span.left, s.span.right);
+    // The run's figure is of a leak, else of a long run, rather a late one
+    constexpr double longest = 1e10;
+    if (subject_.is_maze)
+      board.tells((leaks_ ? longest : static_cast<double>(s.span.length())) +
+                  1e-6 * static_cast<double>(spans_));
     ++spans_;
     painted_ += s.span.length();
     for (int x = s.span.left; x <= s.span.right; ++x) {
@@ -218,7 +228,9 @@ class Story {
     std::vector<Field> facts = ends_of(s.span);
     facts.push_back({"found", s.found, "pixel"});
     return filling(s.found,
-                   {.text = s.span.length() == 1 ? "pixel_filled" : "span_filled",
+                   {.text = leaks_                 ? "span_leaked"
+                            : s.span.length() == 1 ? "pixel_filled"
+                                                   : "span_filled",
                     .facts = facts,
                     .words = {{"columns", columns_of(s.span)}},
                     .row = {spans_, s.span.row, s.span.left, s.span.right, s.span.length(), painted_},
@@ -340,7 +352,9 @@ class Story {
     if (subject_.window) board.keep("window", Role::measure, border(*subject_.window));
     const ivec2 seed = subject_.seed;
     focus_ = cell_of(seed);
+    shelf_.begin(board);
     if (!shown_cells(subject_).contains(seed)) return;
+    if (subject_.is_maze) board.keep("seed frame", Role::input, border({seed, seed}));
     board.keep("seed", Role::input, Dot{dvec2(seed)});
     board.keep("seed name", Role::input, Label{dvec2(seed), words_.say("seed")});
   }
@@ -382,6 +396,16 @@ class Story {
     numbers_[cell] = value;
     if (cell == subject_.seed) board.remove("seed");  // the number stands where the dot was
   }
+  /// Whether what is to be painted in a row of a maze touches what is painted at corners alone.
+  bool leaks(int row, int left, int right) const {
+    const auto is_painted = [&](int x, int y) {
+      return numbers_.contains({x, y}) && numbers_[{x, y}] != none;
+    };
+    bool beside =
+        painted_ == 0 || numbers_.cells().empty() || is_painted(left - 1, row) || is_painted(right + 1, row);
+    for (int x = left; x <= right; ++x) beside = beside || is_painted(x, row - 1) || is_painted(x, row + 1);
+    return !beside;
+  }
   /// In moves, from the seed.
   std::int64_t distance(const Painted& p) const {
     const ivec2 from = cell_of(p.from);
@@ -422,6 +446,7 @@ class Story {
   bool current_waits_ = true;
   std::vector<ivec2> run_;
   int way_filled_ = 0;
+  bool leaks_ = false;  ///< the last painted, through a gap between corners
   std::optional<SeedRead> read_;
   static constexpr std::int64_t none = -1;
   Raster<std::int64_t> numbers_;  ///< of each cell of a maze, as the way counts; none before it is painted

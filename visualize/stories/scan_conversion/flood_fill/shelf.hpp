@@ -9,17 +9,27 @@
 
 namespace gradus::flood_fill {
 
-/// Each entry is a cell with a short text. What leaves next is at the left end of a queue, at the right end
-/// of a stack, and has its name below. Where there are more entries than cells, those farthest from it are
-/// left out.
+/// Each entry is a cell with a short text, behind the name of the whole where that has room. What leaves next
+/// is at the left end of a queue, at the right end of a stack, and has its name below. Where there are more
+/// entries than cells, those farthest from it are left out.
 class Shelf {
  public:
   static constexpr int rows = 2;  ///< of the grid that it takes: the entries, and names
 
   Shelf() = default;  ///< is not drawn
   /// left: the cell of the first entry. columns: how many there is room for.
-  Shelf(ivec2 left, int columns, bool queue, std::string next)
-      : left_(left), cells_(static_cast<std::size_t>(columns)), queue_(queue), next_(std::move(next)) {}
+  Shelf(ivec2 left, int columns, bool queue, std::string title, std::string next)
+      : left_(left), queue_(queue), title_(std::move(title)), next_(std::move(next)) {
+    constexpr int of_title = 3, least = 6;
+    if (columns < of_title + least) title_.clear();
+    if (!title_.empty()) left_.x += of_title;
+    cells_.resize(static_cast<std::size_t>(columns - (left_.x - left.x)));
+  }
+  /// What stands there before anything waits.
+  void begin(Board& board) const {
+    if (!title_.empty())
+      board.keep("shelf title", Role::candidate, Text{dvec2(left_) - dvec2{0.7, 0}, title_, Align::right});
+  }
 
   void push(Board& board, std::string entry) {
     if (!drawn()) return;
@@ -65,7 +75,7 @@ class Shelf {
   ivec2 left_{};
   std::vector<std::string> cells_;  ///< as they are drawn
   bool queue_ = false;
-  std::string next_;
+  std::string title_, next_;
   std::deque<std::string> entries_;
 };
 
