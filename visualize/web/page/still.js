@@ -77,7 +77,7 @@ class StillDrawing {
       for (let x = view.x0; x <= view.x1; ++x) {
         const look = this.canvas.look(x, y);
         if (look && (look[0] === wall || look[1] !== '' || look[2])) continue;
-        const [px, py] = toPixels(this.at, x, y), dot = {x: px, y: py, width: 0, height: 0};
+        const [px, py] = toPixels(this.at, x, y), dot = {x: px, y: py, width: 1, height: 1};
         if (!texts.some((text) => overlap(text, dot))) d += `M${px} ${py}h0`;
       }
     }
@@ -108,8 +108,8 @@ class StillDrawing {
     for (const row of ticks(this.firstRow(), view.y1 + onLines, tickStep(cell, 24 * s))) {
       const baseline = toPixels(this.at, 0, row - off)[1] + 7 * s;
       if (!onLines && baseline - 0.8 * size <= y + height) continue;
-      const width = textWidth(written(row), size), right = box.x - 8 * s;
-      const number = {x: right - width, y: baseline - 0.8 * size, width, height: size};
+      const width = textWidth(written(row), size), edge = box.x - 8 * s;
+      const number = {x: edge - width, y: baseline - 0.8 * size, width, height: size};
       if (columns.some((other) => overlap(other, number))) continue;
       out.push(this.tick(written(row), box.x - 8 * s, baseline, 'end'));
     }
