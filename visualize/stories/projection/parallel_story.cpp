@@ -87,14 +87,20 @@ class Story {
   Event say(const Projected<double>& p) const {
     const dvec3 right = subject_.right.empty() ? p.image : subject_.right[progress_.corner()];
     const std::string image = subject_.all_digits ? full_place_text(p.image) : place_text(p.image);
-    return {.text = subject_.projected,
+    const dvec2 shift = dvec2(subject_.slant.a, subject_.slant.b) * (t_ < 0 ? -1.0 : 1.0);
+    return {.text = !subject_.projected.empty() ? subject_.projected
+                    : t_ < 0                    ? "projected.before"
+                    : t_ > 0                    ? "projected.behind"
+                                                : "projected.within",
             .facts = {{"corner", progress_.number()}, {"x", p.image.x}, {"y", p.image.y}, {"z", p.image.z}},
             .words = {{"d", real(subject_.d)},
                       {"x", real(p.point.x)},
                       {"y", real(p.point.y)},
                       {"t", factor(t_)},
-                      {"a", factor(subject_.slant.a)},
-                      {"b", factor(subject_.slant.b)},
+                      {"gap", real(std::abs(t_))},
+                      {"shift", figure_place(shift, real)},
+                      {"a", factor(shift.x)},
+                      {"b", factor(shift.y)},
                       {"image_x", real(p.image.x)},
                       {"image_y", real(p.image.y)},
                       {"point", full_place_text(p.point)},
@@ -298,7 +304,6 @@ void tell_oblique(Narrator& narrator) {
   const double foreshortening = glm::length(dvec2{subject.slant.a, subject.slant.b});
   const bool cavalier = std::abs(foreshortening - 1) < 1e-9, cabinet = std::abs(foreshortening - 0.5) < 1e-9;
   subject.started = "started.oblique";
-  subject.projected = "projected.oblique";
   subject.done = cavalier ? "done.cavalier" : cabinet ? "done.cabinet" : "done.oblique";
   tell_exact_corners(
       narrator, subject,

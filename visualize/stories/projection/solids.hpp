@@ -170,10 +170,12 @@ inline std::string full_place_text(dvec3 p) { return figure_place(p, real); }
 
 constexpr int paper_width = 36, paper_height = 24;
 
-/// Where space and the picture are drawn: side by side, or one above the other where both get larger so.
+/// Where space and the picture are drawn; with an eye space again, from the side.
 struct Places {
-  Extent space, picture;
+  Extent space, picture, side{};
 };
+inline constexpr Places places_with_eye{
+    {{0.8, 11.8}, {20, 22.2}}, {{22, 0.8}, {35.2, 22.2}}, {{2.2, 4.2}, {20, 9.2}}};
 inline Places places_for(dvec2 space, dvec2 picture) {
   constexpr double left = 0.8, right = 35.2, bottom = 0.8, top = 22.2, gap = 1.6;
   const auto aspect = [](dvec2 size) { return size.y > 0 ? std::clamp(size.x / size.y, 0.2, 5.0) : 1.0; };
@@ -198,7 +200,12 @@ class Scenery {
   /// as they will be; other: what else the picture has to have room for.
   Scenery(const Wording& words, Solid solid, Sheet sheet, Facing facing, std::optional<dvec3> eye,
           const Images& images, const std::vector<dvec3>& other = {})
-      : words_(words), solid_(std::move(solid)), sheet_(sheet), facing_(std::move(facing)), eye_(eye) {
+      : words_(words),
+        solid_(std::move(solid)),
+        sheet_(sheet),
+        facing_(std::move(facing)),
+        eye_(eye),
+        images_(images) {
     Extent picture;
     for (const std::optional<dvec3>& p : images) {
       if (p) picture.add(sheet_.picture(*p));
@@ -210,22 +217,23 @@ class Scenery {
     for (const dvec3 p : solid_.corners) space.add(from_right(p));
     for (const dvec3 p : outline()) space.add(from_right(p));
     if (eye_) space.add(from_right(*eye_));
-    const Places places = places_for(space.size(), patch_.size());
+    const Places places = eye_ ? places_with_eye : places_for(space.size(), patch_.size());
     space_ = Panel(places.space, space);
     picture_ = Panel(places.picture, patch_);
     space_top_ = space_.at(space.upper).y;
     picture_top_ = picture_.at(patch_.upper).y;
-    bottom_ = std::min(space_.at(space.lower).y, picture_.at(patch_.lower).y);
+    if (!eye_) return;
+    Extent side{dvec2{0}, dvec2{0}};
+    for (const dvec3 p : solid_.corners) side.add({p.z, p.y});
+    for (const dvec3 p : outline()) side.add({p.z, p.y});
+    side_ = Panel(places.side, side);
+    side_extent_ = side;
   }
 
-  /// The same with the picture alone, as large as the paper. With an eye the drawing is wide, and stays as
-  /// high as it is, so that its place beside the listing does.
+  /// The same with the picture alone, as large as the paper.
   Scenery picture_alone() const {
     Scenery alone = *this;
-    const double highest = std::max(space_top_, picture_top_);
-    const Extent place = eye_ ? Extent{{0.8, bottom_}, {paper_width - 0.8, highest}}
-                              : Extent{{0.8, 0.8}, {paper_width - 0.8, paper_height - 0.8}};
-    alone.picture_ = Panel(place, patch_);
+    alone.picture_ = Panel({{0.8, 0.8}, {paper_width - 0.8, paper_height - 0.8}}, patch_);
     return alone;
   }
 
@@ -253,15 +261,17 @@ class Scenery {
       view.add({std::move(id), Role::guide, Text{{panel.place().centre().x, top + 1.3}, words_.say(text)}});
     };
     // Side by side they stand in one line
-    const bool beside = space_.place().upper.y == picture_.place().upper.y;
+    const bool beside = !eye_ && space_.place().upper.y == picture_.place().upper.y;
     const double highest = std::max(space_top_, picture_top_);
     caption("caption space", space_, beside ? highest : space_top_, "projection.space");
     caption("caption picture", picture_, beside ? highest : picture_top_, "projection.picture");
     add_frame(view);
     add_plane(space);
     add_solid(space);
-    if (eye_)
-      view.add_named("e eye", "f eye name", Role::input, in_space(*eye_), words_.say("projection.eye"));
+    if (!eye_) return;
+    view.add_named("e eye", "f eye name", Role::input, in_space(*eye_), words_.say("projection.eye"));
+    caption("caption side", side_, side_.at(side_extent_.upper).y, "projection.side");
+    add_side(view);
   }
 
   void add_frame(View& view) const {
@@ -271,34 +281,50 @@ class Scenery {
     view.add({"a picture frame", Role::boundary, Path{frame, true}});
   }
 
-  /// The image of every corner that has one, and the edges between them; `whole`: with its faces.
-  void add_images(View& view, SpaceDrawing& space, const Images& images, Role role, bool whole) const {
+  /// The edges between corners that have their images; `faces`: with its faces.
+  void add_images(View& view, SpaceDrawing& space, const Images& images, Role role, bool faces) const {
     for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
       const auto [a, b, left, right] = solid_.edges[i];
       if (!images[a] || !images[b]) continue;
-      const bool hidden = facing_.hidden[i];
-      space.add(SpaceEdge{.id = fmt::format("d image {} {:02}", hidden ? "behind" : "edge", i),
+      const bool hidden = facing_.hidden[i], faint = role == Role::guide;
+      const std::string id = fmt::format("{}{} {:02}", faint ? "b " : "", hidden ? "behind" : "edge", i);
+      space.add(SpaceEdge{.id = "d image " + id,
                           .role = role,
                           .a = *images[a],
                           .b = *images[b],
                           .dashed = hidden,
-                          .thin = hidden});
+                          .thin = hidden,
+                          .behind = !faint});
       Stroke stroke{in_picture(*images[a]), in_picture(*images[b]), false, hidden};
       stroke.thin = hidden;
-      view.add({fmt::format("d picture {} {:02}", hidden ? "behind" : "edge", i), role, stroke});
+      view.add({"d picture " + id, role, stroke});
     }
-    for (std::size_t i = 0; whole && i < solid_.faces.size(); ++i) {
+    for (std::size_t i = 0; faces && i < solid_.faces.size(); ++i) {
       if (facing_.seen[i]) add_image_face(view, space, images, role, i);
     }
   }
 
-  /// The corner at hand, and once its image is known its projector.
+  /// Faint, what comes: all projectors, and the picture. It leaves no gaps in what is drawn otherwise.
+  void add_background(View& view) const {
+    SpaceDrawing space = this->space();
+    View whole;
+    add_solid(space);
+    for (std::size_t i = 0; i < images_.size(); ++i)
+      if (images_[i]) add_projector(space, Role::guide, i);
+    add_images(whole, space, images_, Role::guide, false);
+    space.add_to(whole, "c solid");
+    for (const auto& [id, mark] : whole.marks)
+      if (mark.role == Role::guide) view.add(mark);
+  }
+
+  /// The corner at hand with its projector, and its image once that is known.
   void point_at(View& view, SpaceDrawing& space, std::size_t corner, std::optional<dvec3> image) const {
     const dvec3 p = solid_.corners[corner];
     const std::string name = fmt::format("{}", corner + 1);
     view.add_named("g corner", "h corner name", Role::current, in_space(p), name);
+    if (images_[corner]) add_projector(space, Role::current, corner);
+    if (eye_ && images_[corner]) add_triangles(view, p, *images_[corner]);
     if (!image) return;
-    add_projector(space, p, *image);
     view.add({"g image", Role::current, Dot{in_space(*image)}});
     view.add_named("g picture", "h picture name", Role::current, in_picture(*image), name + "′");
   }
@@ -365,24 +391,64 @@ class Scenery {
                         .shade = shade});
   }
 
-  /// A point's projector: to its image, or from the eye, through whichever is farther.
-  void add_projector(SpaceDrawing& space, dvec3 point, dvec3 image) const {
-    dvec3 from = point, to = image;
-    if (eye_) {
-      from = *eye_;
-      to = point.z > image.z ? point : image;
-    }
-    space.add(SpaceEdge{.id = "e projector", .role = Role::current, .a = from, .b = to, .thin = true});
+  /// A corner's projector: to its image, or from the eye, through whichever is farther.
+  void add_projector(SpaceDrawing& space, Role role, std::size_t corner) const {
+    const dvec3 p = solid_.corners[corner], image = *images_[corner];
+    const dvec3 from = eye_ ? *eye_ : p, to = eye_ && p.z > image.z ? p : image;
+    const bool now = role == Role::current;
+    space.add(SpaceEdge{.id = fmt::format("{} projector {:02}", now ? "e" : "b", corner),
+                        .role = role,
+                        .a = from,
+                        .b = to,
+                        .thin = eye_.has_value(),
+                        .behind = now});
   }
+
+  /// Eye, plane and solid straight from the side: depth to the right, y up.
+  void add_side(View& view) const {
+    for (std::size_t i = 0; i < solid_.faces.size(); ++i) {
+      std::vector<dvec2> ring;
+      for (const std::size_t corner : solid_.faces[i]) ring.push_back(in_side(solid_.corners[corner]));
+      view.add({fmt::format("a side face {}", i), Role::input, Area{{ring}, 1}});
+      view.add({fmt::format("a side outline {}", i), Role::guide, Path{ring, true}});
+    }
+    const dvec3 top = sheet_.place(patch_.upper), foot = sheet_.place(patch_.lower);
+    view.add({"b side axis", Role::guide, Stroke{in_side(*eye_), in_side({0, 0, side_extent_.upper.x})}});
+    view.add({"b side plane", Role::boundary, Stroke{in_side(foot), in_side(top)}});
+    view.add({"e side eye", Role::input, Dot{in_side(*eye_)}});
+  }
+
+  /// What is similar there: y′ to d as y to z.
+  void add_triangles(View& view, dvec3 p, dvec3 image) const {
+    const auto upright = [&](const std::string& name, dvec3 at) {
+      const dvec2 foot = in_side({0, 0, at.z}), tip = in_side(at);
+      view.add({"f side " + name, Role::measure, Stroke{foot, tip}});
+      view.add({"h side " + name, Role::measure, Label{(foot + tip) * 0.5, name}});
+    };
+    const auto along = [&](const std::string& name, double depth, double y) {
+      const dvec2 from{in_side(*eye_).x, y}, to{in_side({0, 0, depth}).x, y};
+      view.add({"f side " + name, Role::measure, Stroke{from, to, true}});
+      view.add({"h side " + name, Role::measure, Text{(from + to) * 0.5 + dvec2{0, 0.8}, name}});
+    };
+    view.add({"e side ray", Role::current, Stroke{in_side(*eye_), in_side(p.z > image.z ? p : image)}});
+    upright(words_.symbol("y"), p);
+    upright(words_.symbol("y′"), image);
+    along(words_.symbol("d"), image.z, 2.4);
+    along(words_.symbol("z"), p.z, 0.4);
+    view.add({"g side corner", Role::current, Dot{in_side(p)}});
+    view.add({"g side image", Role::current, Dot{in_side(image)}});
+  }
+  dvec2 in_side(dvec3 p) const { return side_.at({p.z, p.y}); }
 
   const Wording& words_;
   Solid solid_;
   Sheet sheet_;
   Facing facing_;
   std::optional<dvec3> eye_;
-  Extent patch_{};
-  Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_;
-  double space_top_ = 0, picture_top_ = 0, bottom_ = 0;  ///< of what is drawn there
+  Images images_;  ///< of all corners, as they will be
+  Extent patch_{}, side_extent_{};
+  Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_, side_ = space_;
+  double space_top_ = 0, picture_top_ = 0;  ///< of what is drawn there
 };
 
 /// How far a solid's corners, one after the other, have got their images.
@@ -419,6 +485,7 @@ class Progress {
     View view;
     SpaceDrawing space = scenery_.space();
     scenery_.add_scene(view, space);
+    scenery_.add_background(view);
     scenery_.add_images(view, space, images_, Role::result, whole);
     if (pointed) scenery_.point_at(view, space, corner_, images_[corner_]);
     space.add_to(view, "c solid");
