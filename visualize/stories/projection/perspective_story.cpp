@@ -49,7 +49,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                    {1e-3, 1e6}),
             choice("solid", {"house", "box"}, "house", "box",
                    "method projection: what is projected, 2 wide, 2 high, 3 deep"),
-            numbers("at", "0.4,-0.8,5", "0,0,8", "where the solid's middle stands: x right, y up, z forward",
+            numbers("at", "1.2,-1,7", "0,0,8", "where the solid's middle stands: x right, y up, z forward",
                     xyz, solids::modest_sizes),
             numbers("turn", "35,0", "35,25",
                     "degrees by which the solid is turned: round the upright, then round x", {"yaw", "pitch"},

@@ -61,8 +61,8 @@ class ProjectionStory
   Event say(const Projected<double>& p) const {
     return {.text = "projected",
             .facts = {{"corner", progress_.number()}, {"x", p.image.x}, {"y", p.image.y}, {"z", p.image.z}},
-            .words = {{"x", real(p.point.x)},
-                      {"y", real(p.point.y)},
+            .words = {{"x", figure_factor(real(p.point.x))},
+                      {"y", figure_factor(real(p.point.y))},
                       {"factor", real(last<Scaled<double>>()->factor)},
                       {"image_x", real(p.image.x)},
                       {"image_y", real(p.image.y)}},
