@@ -13,7 +13,9 @@
 namespace gradus::viewport {
 namespace {
 
-std::string difference_text(double a, double b) { return figure_real(a) + " − " + figure_factor(b); }
+std::string difference_text(double a, double b) {
+  return figure_real(a) + "\u00a0−\u00a0" + figure_factor(b);
+}
 
 class Story {
  public:
@@ -125,6 +127,18 @@ class Story {
   std::string side() const { return words_.say(rows_down() ? "top" : "bottom"); }
   std::string name() const { return letter(current_); }
 
+  /// "(−0.6 − (−1)) / 2 · 8 = 1.6", of the point at hand
+  std::string formula(int axis) const {
+    const auto& [lower, upper] = subject_.map.window;
+    const auto& [from, to] = subject_.map.viewport;
+    const dvec2 p = subject_.points[current_];
+    const bool down = axis == 1 && rows_down();
+    const std::string start = from[axis] == 0 ? "" : figure_real(from[axis]) + "\u00a0+\u00a0";
+    return fmt::format("{}({})\u00a0/\u00a0{}\u00a0·\u00a0{}\u00a0=\u00a0{}", start,
+                       down ? difference_text(upper.y, p.y) : difference_text(p[axis], lower[axis]),
+                       figure_real(upper[axis] - lower[axis]), figure_real(to[axis] - from[axis]),
+                       pixels_text((*fates_[current_].place)[axis]));
+  }
   /// "1 + 0.25·6 = 2.5"
   std::string along(int axis, const Placed<double>& p) const {
     const auto& [lower, upper] = subject_.map.viewport;
@@ -168,6 +182,8 @@ class Story {
                 .facts = {{"outside", now.outside}},
                 .words = {{"name", name()},
                           {"place", place},
+                          {"across", formula(0)},
+                          {"along", formula(1)},
                           {"px", pixels_text(place.x)},
                           {"py", pixels_text(place.y)},
                           {"nearest", nearest},
@@ -238,7 +254,7 @@ void tell_points(Narrator& narrator, const Subject& subject, bool clamps, const 
                    Role::past,
                    Role::result,
                    Role::input});
-  if (clamps) narrator.telling({count, 0});  // what lies outside stands last, as a rule
+  if (clamps || count == 1) narrator.telling({count, 0});  // what lies outside stands last, as a rule
   narrator.tell_each(story, subject.points.size(),
                      [&](std::size_t i, const auto& watch) { take(subject.points[i], watch); });
   for (const Fate& fate : story.fates()) {

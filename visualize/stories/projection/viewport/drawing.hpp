@@ -1,6 +1,6 @@
 #pragma once
-// The drawing of a window's way into a picture: the camera plane, the picture with its pixels, and the pixel
-// at hand enlarged. The enlargement has the large place where a picture's pixels are too fine to be seen.
+// The drawing of a window's way into a picture: the camera plane and the picture with its pixels, their
+// frames of one height, and below them the pixel at hand enlarged.
 
 #include "projection/viewport/viewport.hpp"
 #include "stories/telling.hpp"
@@ -70,9 +70,10 @@ class Drawing {
   Drawing(const Subject& subject, const Words& words)
       : subject_(subject),
         words_(words),
-        plane_(plane_place, plane_extent(subject)),
-        fine_(PictureView(large_place, picture_extent(subject), rows_down()).unit() < least_pixel),
-        picture_(fine_ ? small_place : large_place, picture_extent(subject), rows_down()) {}
+        places_(places_for()),
+        plane_(places_.plane, plane_extent(subject)),
+        picture_(places_.picture, picture_extent(subject), rows_down()),
+        fine_(picture_.unit() < least_pixel) {}
 
   /// current: the point of this step; points.size(): none. done: all pixels are results.
   View view(const std::vector<Fate>& fates, std::size_t current, bool done, bool clamped) const {
@@ -92,11 +93,39 @@ class Drawing {
 
  private:
   /// Three panels on a paper of 36 x 24.
-  static constexpr Extent plane_place{{2.2, 14.8}, {13, 22.4}}, small_place{{2.2, 0.6}, {13, 8.4}},
-      large_place{{16.6, 0.6}, {35.6, 20.6}};
-  static constexpr double caption_gap = 2.1;
-  /// Smaller pixels, in paper units, are enlarged.
-  static constexpr double least_pixel = 0.8;
+  struct Places {
+    Extent plane, picture;
+  };
+  static constexpr Extent upper_place{{3, 11.2}, {34, 21.2}}, enlarged_place{{20, 0.6}, {34, 6.6}};
+  static constexpr double caption_gap = 2.1, least_height = 4;
+  /// Smaller pixels, in paper units, are enlarged with their neighbours.
+  static constexpr double least_pixel = 0.5;
+
+  /// Window and picture get one height, unless that makes both tiny, beside which there is room for points
+  /// near them.
+  Places places_for() const {
+    const auto& [lower, upper] = subject_.map.window;
+    const Extent plane = plane_extent(subject_), picture = picture_extent(subject_);
+    const double window = upper.y - lower.y, rows = subject_.map.picture.y, gap = 2.6;
+    // In heights of the frames: sizes, and how far they reach below their frame's foot
+    const dvec2 of_plane = plane.size() / window, of_picture = picture.size() / rows;
+    const double below_plane = (lower.y - plane.lower.y) / window,
+                 below_picture = (rows_down() ? picture.upper.y - rows : -picture.lower.y) / rows;
+    const double below = std::max(below_plane, below_picture),
+                 above = std::max(of_plane.y - below_plane, of_picture.y - below_picture);
+    const auto [left, right] = std::pair{upper_place.lower, upper_place.upper};
+    const double height = std::min((right.x - left.x - gap) / (of_plane.x + of_picture.x),
+                                   (right.y - left.y) / (below + above));
+    if (!(height >= least_height)) {
+      const double middle = upper_place.centre().x;
+      return {{left, {middle - gap / 2, right.y}}, {{middle + gap / 2, left.y}, right}};
+    }
+    const double spare = (right.x - left.x - gap - height * (of_plane.x + of_picture.x)) / 3;
+    const double foot = right.y - height * above;
+    const dvec2 at_plane{left.x + spare, foot - height * below_plane},
+        at_picture{right.x - spare - height * of_picture.x, foot - height * below_picture};
+    return {{at_plane, at_plane + height * of_plane}, {at_picture, at_picture + height * of_picture}};
+  }
 
   static Extent plane_extent(const Subject& subject) {
     const auto& [lower, upper] = subject.map.window;
@@ -148,48 +177,54 @@ class Drawing {
     return {shown.holds(p), plane_.at(clamped_to(shown, p))};
   }
   void add_plane(View& view, const std::vector<Fate>& fates, std::size_t current) const {
-    view.add({"caption plane", Role::guide,
-              Text{{plane_place.centre().x, plane_place.upper.y + 1.1}, words_.say("caption.plane")}});
+    view.add(
+        {"caption plane", Role::guide,
+         Text{{plane_.place().centre().x, upper_place.upper.y + caption_gap}, words_.say("caption.plane")}});
     add_axes(view, plane_, "plane", {words_.symbol("x"), words_.symbol("y")}, 4);
     const auto& [lower, upper] = subject_.map.window;
     view.add({"window", Role::boundary, Path{plane_.at(Extent{lower, upper}.corners()), true}});
     for (std::size_t i = 0; i < subject_.points.size(); ++i) {
       const auto [here, at] = plane_point(i);
       const Role role = i == current ? Role::current : fates[i].outside ? Role::rejected : Role::input;
-      add_point(view, "point " + letter(i), role, plane_place, here, at);
+      add_point(view, "point " + letter(i), role, plane_.place(), here, at);
       view.add({"point name " + letter(i), role, Label{at, letter(i)}});
     }
   }
 
-  /// How far across the window the point at hand is, until it has its place.
+  /// How far from the window's sides the point at hand is, and how far from the picture's.
   void add_measures(View& view, dvec2 p, const Fate& fate) const {
-    if (!fate.fraction || fate.place) return;
-    const dvec2 fraction = *fate.fraction;
-    if (!(std::abs(fraction.x) < 3 && std::abs(fraction.y) < 3)) return;
+    if (!fate.fraction || !plane_.shown().holds(p)) return;
     const auto& [lower, upper] = subject_.map.window;
-    add_measure(view, "across", plane_.at({lower.x, p.y}), plane_.at(p), fraction.x);
-    add_measure(view, "down", plane_.at({p.x, rows_down() ? upper.y : lower.y}), plane_.at(p), fraction.y);
+    const dvec2 from{lower.x, rows_down() ? upper.y : lower.y};
+    add_measure(view, "across", plane_.at(from), plane_.at({p.x, from.y}), std::abs(p.x - from.x));
+    add_measure(view, "down", plane_.at({p.x, from.y}), plane_.at(p), std::abs(p.y - from.y));
+    if (!fate.place) return;
+    const auto [there, to] = shown_at(*fate.place);
+    if (!there) return;
+    add_measure(view, "column", picture_.at({0, 0}), picture_.at({fate.place->x, 0}), fate.place->x);
+    add_measure(view, "row", picture_.at({fate.place->x, 0}), to, fate.place->y);
   }
   static void add_measure(View& view, std::string id, dvec2 from, dvec2 to, double value) {
     view.add({id, Role::measure, Stroke{from, to}});
-    // On a side of its pixel it says nothing
+    // On a side it says nothing
     const std::string text = figure_real(value);
     if (text != "0" && text != "1") view.add({id + " name", Role::measure, Label{(from + to) * 0.5, text}});
   }
 
   void add_picture(View& view) const {
     const std::string rows = rows_down() ? "rows_down" : "rows_up";
-    add_caption(view, rows, words_.say("caption." + rows), fine_ ? picture_.drawn() : on_top(picture_));
+    view.add({"caption " + rows, Role::guide,
+              Text{{picture_.place().centre().x, upper_place.upper.y + caption_gap},
+                   words_.say("caption." + rows)}});
     add_grid_lines(view, picture_, "picture", {{0, 0}, dvec2(subject_.map.picture)});
     view.add({"picture", Role::boundary, picture_.box({0, 0}, dvec2(subject_.map.picture))});
     if (!subject_.boxed) return;
     const auto& [lower, upper] = subject_.map.viewport;
     view.add({"viewport", Role::candidate, picture_.box(lower, upper)});
   }
-  static Extent on_top(const PictureView& pixels) { return pixels.drawn(); }
 
-  /// Lines between pixels where they can be told apart, with their numbers at the left and above, or below
-  /// where rows are counted up.
+  /// Lines between pixels where they can be told apart, with their numbers at the right, out of the way, and
+  /// above, or below where rows are counted up.
   void add_grid_lines(View& view, const PictureView& pixels, const std::string& name,
                       const Extent& part) const {
     for (const int axis : {0, 1}) {
@@ -197,7 +232,7 @@ class Drawing {
                 last = static_cast<int>(std::floor(part.upper[axis]));
       const int step = label_step(pixels, axis, first, last);
       const std::string which = axis == 0 ? "column" : "row";
-      const dvec2 beside = axis == 1 ? dvec2{-0.6, 0} : dvec2{0, rows_down() ? 0.9 : -0.9};
+      const dvec2 beside = axis == 1 ? dvec2{0.6, 0} : dvec2{0, rows_down() ? 0.9 : -0.9};
       for (int i = first; i <= last; ++i) {
         dvec2 a = part.lower, b = part.upper;
         a[axis] = b[axis] = i;
@@ -206,7 +241,8 @@ class Drawing {
                     Stroke{pixels.at(a), pixels.at(b)}});
         if (i % step != 0) continue;
         view.add({fmt::format("grid value {} {} {:05}", name, which, i), Role::guide,
-                  Text{pixels.at(a) + beside, figure_number(i), axis == 1 ? Align::right : Align::centre}});
+                  Text{pixels.at(axis == 1 ? b : a) + beside, figure_number(i),
+                       axis == 1 ? Align::left : Align::centre}});
       }
     }
   }
@@ -259,10 +295,8 @@ class Drawing {
     const ivec2 own = rounded(*fate.place, Rounding::floor);
     const dvec2 room = fine_ ? dvec2{3, 2} : dvec2{0};
     const Extent part{dvec2(own) - room - 0.3, dvec2(own) + room + 1.3};
-    const PictureView enlarged(fine_ ? large_place : small_place, part, rows_down());
-    add_enlarged(view, enlarged, fate, own);
-    const dvec2 place = fine_ ? enlarged.at(*fate.place) : to;
-    if (here) view.add({"way", Role::current, Stroke{from, place, true, true}});
+    add_enlarged(view, PictureView(enlarged_place, part, rows_down()), fate, own);
+    if (here) view.add({"way", Role::current, Stroke{from, to, true, true}});
   }
 
   void add_enlarged(View& view, const PictureView& enlarged, const Fate& fate, ivec2 own) const {
@@ -312,9 +346,10 @@ class Drawing {
 
   const Subject& subject_;
   const Words& words_;
+  Places places_;
   Panel plane_;
-  bool fine_;  ///< the picture's pixels are too small to be seen
   PictureView picture_;
+  bool fine_;  ///< the picture's pixels are too small to be seen
 };
 
 }  // namespace gradus::viewport
