@@ -20,7 +20,8 @@ double largest_product(dvec3 a, dvec3 b) {
 /// A product of two vectors with its numbers: "0.8·2.8 + 0·3.6 + (−0.6)·3.2".
 std::string product_text(dvec3 a, dvec3 b) {
   std::string text;
-  for (int i = 0; i < 3; ++i) text += (i > 0 ? " + " : "") + figure_factor(a[i]) + "·" + figure_factor(b[i]);
+  for (int i = 0; i < 3; ++i)
+    text += (i > 0 ? "\u00a0+\u00a0" : "") + figure_factor(a[i]) + "\u00a0·\u00a0" + figure_factor(b[i]);
   return text;
 }
 

@@ -164,6 +164,7 @@ class Drawing {
     space.add("letter world", Role::past, subject_.letter);
     add_world_axes(view, space);
     space.add(SpaceEdge{.id = "sight", .role = Role::guide, .a = subject_.eye, .b = subject_.target});
+    add_camera(space);
     space.add_to(view, "a letter world");
     const double size = axis_size();
     if (!known.axes[1])
@@ -196,7 +197,6 @@ class Drawing {
       view.add_named("seen target", Role::accepted, panel.at(dvec2(target) / target.z),
                      words_.say("name.target"));
     }
-    if (!known.seen) return;
     const auto seen = [&](dvec3 p) -> std::optional<dvec2> {
       const dvec3 v = through(matrix, p);
       if (v.z <= 0) return std::nullopt;
@@ -209,7 +209,7 @@ class Drawing {
                           .up = frame.up,
                           .towards = -frame.forward,
                           .frame = seen_place});
-    picture.add("letter picture", Role::result, subject_.letter);
+    picture.add("letter picture", known.seen ? Role::result : Role::past, subject_.letter);
     picture.add_to(view, "a letter picture");
   }
 
@@ -411,12 +411,31 @@ class Drawing {
       add(b);
     }
     add(subject_.target);
+    for (const dvec3 corner : picture_corners()) add(corner);
     for (const dvec3 way :
          {frame.right, frame.up, frame.forward, shown_axis(frame, 2), unit_vector(subject_.up), dvec3{0}})
       add(subject_.eye + size * way);
     for (const dvec3 tip : {dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, 1}, dvec3{0}})
       add(axis_length() * tip);
     return widened(extent, 0.02);
+  }
+  /// The picture's corners in the world, on the way to the target.
+  std::vector<dvec3> picture_corners() const {
+    const auto [eye, right, up, forward] = subject_.frame();
+    std::vector<dvec3> corners;
+    for (const dvec2 p : picture_extent(world_to_view(subject_.frame())).corners())
+      corners.push_back(eye + 0.4 * subject_.distance * (forward + p.x * right + p.y * up));
+    return corners;
+  }
+  /// The camera: from the eye through the picture's corners.
+  void add_camera(SpaceDrawing& space) const {
+    const std::vector<dvec3> corners = picture_corners();
+    for (std::size_t i = 0; i < 8; ++i) {
+      const auto [to, role] =
+          i < 4 ? std::pair{subject_.eye, Role::guide} : std::pair{corners[(i + 1) % 4], Role::boundary};
+      space.add(SpaceEdge{fmt::format("camera {}", i), role, corners[i % 4], to});
+    }
+    space.add(SpaceFace{"camera picture", Role::boundary, corners, false, true, 2});
   }
   /// Of the world's axes, and of the viewer's as they are drawn.
   double axis_length() const { return std::max(1.3, 0.25 * subject_.distance); }
@@ -439,7 +458,7 @@ class Drawing {
         if (v.z > 0) half = std::max({half, std::abs(v.x / v.z), std::abs(v.y / v.z)});
       }
     }
-    half = std::min(1.2 * half, 1.5);
+    half = std::min(1.1 * half, 1.5);
     return {{-half, -half}, {half, half}};
   }
 
