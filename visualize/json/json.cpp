@@ -241,11 +241,9 @@ Json picture_json(const Image& image) {
 }
 
 Json grid_json(const Grid& grid) {
-  Json out{{"lower", point(grid.cells.lower)},
-           {"upper", point(grid.cells.upper)},
-           {"y_up", grid.y_up},
-           {"x_name", grid.x_name},
-           {"y_name", grid.y_name}};
+  const auto [lower, upper] = grid.cells;
+  Json out{{"lower", point(lower)}, {"upper", point(upper)}, {"y_up", grid.y_up}};
+  out.update({{"x_name", grid.x_name}, {"y_name", grid.y_name}});
   if (grid.whole) out["whole"] = true;
   if (!grid.axes) out["axes"] = false;
   if (grid.on_lines) out["on_lines"] = true;

@@ -62,17 +62,19 @@ class AxesLayout {
     }
     const std::vector<Box> columns(free_.texts);  // whose first number is near the corner
     const double row_name_bottom = name_rows();
+    // On lines one of the columns' numbers stands below the corner
+    const double gap = std::max(8 * s_, on_lines * (2 * s_ + widest / 2));
     const std::int64_t up = tick_step(frame_.cell, 24 * s_);
     for (std::int64_t y = first_tick(at_.own_cells(grid_).lower.y, up); y <= view.upper.y + on_lines;
          y += up) {
       const std::string text = figure_number(y);
       const double baseline = frame_.row(static_cast<double>(y) - off) + 7 * s_;
-      const TextShape shape{{b.x - 8 * s_, baseline}, text, Face::sans, size, Align::right,
+      const TextShape shape{{b.x - gap, baseline}, text, Face::sans, size, Align::right,
                             Paint::of(Tone::muted)};
       const bool in_the_corner =
           std::ranges::any_of(columns, [&](const Box& other) { return overlap(shape.box(), other); });
       if (baseline - 0.8 * size > row_name_bottom && !in_the_corner)
-        tick("y " + text, {b.x - 8 * s_, baseline}, text, Align::right);
+        tick("y " + text, {b.x - gap, baseline}, text, Align::right);
     }
     const double x_name = std::min(b.right() + 6 * s_, at_.right - name_width);
     name_axis("x axis", {std::max(x_name, last_right + 8 * s_), below}, grid_.x_name);

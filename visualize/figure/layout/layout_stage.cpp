@@ -32,7 +32,8 @@ Margins axis_margins(const Stage& stage, double cell, bool name_above = true) {
                         (std::min(stage.column_numbers, roomy_cell) - least) / 2;
   const double y_name = text_width(stage.axes->y_name + " ↑", Face::italic, text_size);
   const double numbers = std::max({stage.numbers, 14.0, name_above ? 0.0 : y_name});
-  return {numbers + 10, std::max(least > 0 ? 8.0 : 24.0, x_name), name_above ? axis_above : axis_rim,
+  const double gap = stage.axes->on_lines ? std::max(8.0, 2 + stage.column_numbers / 2) : 8;
+  return {numbers + 2 + gap, std::max(least > 0 ? 8.0 : 24.0, x_name), name_above ? axis_above : axis_rim,
           axis_below};
 }
 

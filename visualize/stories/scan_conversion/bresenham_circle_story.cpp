@@ -168,7 +168,7 @@ class Story {
     if (!to_the_end && k_ < last_column(circle_.radius)) return;  // a part was watched
     board.detail(late_       ? pixel(worst_)
                  : windowed_ ? board.last_plotted(clamped(circle_.center))
-                             : circle_.center);
+                             : pixel({0, circle_.radius}));
     board.all_plotted(Role::result);
     plotted_ = board.plotted();
     show_again(board);

@@ -208,10 +208,6 @@ class DecisionStory {
     if (miss == 0) return;
     const dvec2 at(pixel), ideal = ideal_at(line_, k_);
     board.mark("error", Role::measure, Stroke{at, ideal});
-    // In a large pixel the fraction stands at the foot of its line
-    const dvec2 along(line_.go.straight), aside = (at - ideal) / length_between(at, ideal);
-    if (size_.dx <= (along.x == 0 ? 5 : 9))
-      return board.mark("error name", Role::measure, Text{at + 0.28 * (aside - along), error_text(miss)});
     board.mark("error name", Role::measure,
                Label{0.5 * (at + ideal), words_.say("error", {{"error", error_text(miss)}})});
   }

@@ -72,9 +72,11 @@ class Stage {
   /** With the name of the rows above their numbers, or among them, where it takes the place of the last one. */
   axisMargins(cell, nameAbove) {
     const {grid, cells} = this, name = (text) => Math.ceil(textWidth(text, TEXT, 'italic'));
-    const numbers = [cells.y0, cells.y1].map((y) => Math.ceil(textWidth(written(y), TEXT)));
+    const widths = (...ends) => ends.map((end) => Math.ceil(textWidth(written(end), TEXT)));
+    const numbers = widths(cells.y0, cells.y1), columns = Math.max(...widths(cells.x0, cells.x1));
+    const gap = grid.on_lines ? Math.max(8, 2 + columns / 2) : 8;
     return {
-      left: Math.max(...numbers, 14, nameAbove ? 0 : name(`${grid.y_name} ↑`)) + 10,
+      left: Math.max(...numbers, 14, nameAbove ? 0 : name(`${grid.y_name} ↑`)) + 2 + gap,
       right: cell < ROOMY_CELL || grid.on_lines ? Math.max(24, name(grid.x_name) + 12) : 8,
       above: nameAbove ? AXIS_ABOVE : AXIS_RIM,
       below: AXIS_BELOW

@@ -105,13 +105,17 @@ class StillDrawing {
     const columns = [...this.stillTexts];  // whose first number is near the corner
     out.push(this.nameRows());
     const {y, height} = this.stillTexts.at(-1);
+    // On lines one of the columns' numbers stands below the corner
+    const gap = Math.max(8 * s, onLines * (2 * s + widest / 2));
+    // On lines one of the columns' numbers stands below the corner
+    const gap = Math.max(8 * s, onLines * (2 * s + widest / 2));
     for (const row of ticks(this.firstRow(), view.y1 + onLines, tickStep(cell, 24 * s))) {
       const baseline = toPixels(this.at, 0, row - off)[1] + 7 * s;
       if (!onLines && baseline - 0.8 * size <= y + height) continue;
-      const width = textWidth(written(row), size), edge = box.x - 8 * s;
+      const width = textWidth(written(row), size), edge = box.x - gap;
       const number = {x: edge - width, y: baseline - 0.8 * size, width, height: size};
       if (columns.some((other) => overlap(other, number))) continue;
-      out.push(this.tick(written(row), box.x - 8 * s, baseline, 'end'));
+      out.push(this.tick(written(row), edge, baseline, 'end'));
     }
     const x = Math.max(Math.min(box.x + box.width + 6 * s, right - name), end + 8 * s);
     out.push(this.stillText(grid.x_name, x, bottom, 'start', 'italic'));

@@ -303,8 +303,8 @@ TEST(Layout, AxesAndSlotsStayPutOverAllSteps) {
 }
 
 TEST(Layout, AViewThatFollowsLeavesTheShelfAway) {
-  std::string maze(24, '.');
-  for (int row = 1; row < 16; ++row) maze += "/" + std::string(24, '.');
+  std::string maze(14, '.');
+  for (int row = 1; row < 7; ++row) maze += "/" + std::string(14, '.');
   const Trace trace = test::trace_of("flood_fill", {{"method", "recursive"}, {"maze", maze}});
   ASSERT_GT(trace.grid.shelf, 0);
   const Look look{.width = 720, .height = 720};
@@ -316,8 +316,7 @@ TEST(Layout, AViewThatFollowsLeavesTheShelfAway) {
     ASSERT_NE(view, trace.grid.cells) << "this size shows all of it: choose a smaller one";
     EXPECT_EQ(view, intersection(view, trace.grid.own())) << text_of(step.number);
     for (const Shape& shape : lay_out(figure, look).shapes) {
-      if (shape.id == "overview size" && std::get<TextShape>(shape.what).text.ends_with("24 × 16"))
-        ++followed;
+      if (shape.id == "overview size" && std::get<TextShape>(shape.what).text.ends_with("14 × 7")) ++followed;
     }
   }
   EXPECT_EQ(followed, trace.steps.size());

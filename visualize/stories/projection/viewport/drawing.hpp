@@ -208,7 +208,7 @@ class Drawing {
     view.add({id, Role::measure, Stroke{from, to}});
     // On a side it says nothing
     const std::string text = figure_real(value);
-    if (text != "0" && text != "1") view.add({id + " name", Role::measure, Label{(from + to) * 0.5, text}});
+    if (text != "0") view.add({id + " name", Role::measure, Label{(from + to) * 0.5, text}});
   }
 
   void add_picture(View& view) const {
