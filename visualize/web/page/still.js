@@ -107,8 +107,6 @@ class StillDrawing {
     const {y, height} = this.stillTexts.at(-1);
     // On lines one of the columns' numbers stands below the corner
     const gap = Math.max(8 * s, onLines * (2 * s + widest / 2));
-    // On lines one of the columns' numbers stands below the corner
-    const gap = Math.max(8 * s, onLines * (2 * s + widest / 2));
     for (const row of ticks(this.firstRow(), view.y1 + onLines, tickStep(cell, 24 * s))) {
       const baseline = toPixels(this.at, 0, row - off)[1] + 7 * s;
       if (!onLines && baseline - 0.8 * size <= y + height) continue;
