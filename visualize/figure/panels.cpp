@@ -78,7 +78,7 @@ int lines_of_own(std::span<const std::string> sentences, double width) {
   return static_cast<int>(most);
 }
 
-/// `sentences`: of the panels' own; none: they have none.
+/// `sentences`: of the panels' own; none: they lack them.
 Tiling tiling_of(std::size_t runs, std::span<const std::string> sentences, std::size_t columns,
                  const Box& area) {
   const auto count = static_cast<double>(columns);

@@ -305,7 +305,7 @@ TEST(Languages, NumbersOfASentenceAreTheSame) {
 TEST(Languages, TitlesAndCaptionsOfFilesAreToldToo) {
   const std::vector<StepNumber> one{{1, 0}}, some{{0, 0}, {2, 0}};
   const auto run = [](std::string_view code, std::string_view method) {
-    return test::trace_of("bresenham_line", {{"method", std::string(method)}, {"to", "2,4"}},
+    return test::trace_of("bresenham_line", {{"method", std::string(method)}, {"to", "4,2"}},
                           {.wording = labelled({}, code)});
   };
   const Trace english = run("en", "decision_parameter"), german = run("de", "first_octant");
@@ -313,15 +313,15 @@ TEST(Languages, TitlesAndCaptionsOfFilesAreToldToo) {
   EXPECT_EQ(
       summary_of(english, some),
       "Bresenham line, steps 0 to 2 of 4, decision parameter. Draw the pixels nearest to a straight line, "
-      "with integer additions only. Input: (0,\u00a00) to (2,\u00a04).");
+      "with integer additions only. Input: (0,\u00a00) to (4,\u00a02).");
   EXPECT_EQ(
       heading_of(german, some),
       "Bresenham-Linie (fehlerhaft: andere Steigungen als 0 bis 1 sind nicht vorgesehen: Die Linie endet "
-      "anderswo), Schritte 0 bis 2 von 2");
+      "anderswo), Schritte 0 bis 2 von 4");
   Playhead playhead(english);
   EXPECT_EQ(caption_of(figure_of(english, playhead, {0, 0})),
             "Bresenham line, decision parameter, step 0 of 4: " + english.steps.front().sentence +
-                " Input: (0,\u00a00) to (2,\u00a04).");
+                " Input: (0,\u00a00) to (4,\u00a02).");
 }
 
 TEST(Languages, TextAndCsvAreToldToo) {

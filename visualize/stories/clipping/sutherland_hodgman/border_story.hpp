@@ -45,7 +45,7 @@ class BorderStory : public PlaneDrawing {
     const std::string name = names_(c.vertex);
     keep(c.vertex);
     const dvec2 at = panel_.at(c.vertex.at), from = panel_.at(c.from.at), to = panel_.at(c.to.at);
-    view_.add({"f edge", Role::current, c.leaves ? Stroke{from, at} : Stroke{at, to, true}});
+    view_.add({"f edge", Role::current, c.leaves ? Stroke{from, at, true} : Stroke{at, to, true}});
     view_.add({"f cut off", Role::rejected, c.leaves ? Stroke{at, to} : Stroke{from, at}});
     view_.add({"f here", Role::measure, Dot{at}});
     view_.add({"g made " + name, Role::measure,

@@ -279,7 +279,7 @@ View Views::world(const Pointer& at) const {
   if (way_.place) {
     const dvec2 pixel = there.at(sight.flat(way_.place->world));
     pixel_place(view, "world", pixel);
-    view.add({"e world sight", Role::input,
+    view.add({"e world sight", Role::guide,
               Stroke{there.at(sight.flat(run_.scene.camera.frame.eye)), pixel, false, true, true}});
   }
   cards_.placement(view, pointed);
