@@ -86,7 +86,8 @@ class AxesLayout {
     const Box& b = frame_.box;
     const double size = text_size * s_;
     const std::string name = grid_.y_name + (frame_.y_up ? " ↑" : " ↓");
-    if (grid_.on_lines) {  // beside the first number, not over it
+    constexpr double low_cell = 24;                       // units: whose number reaches up to the name
+    if (grid_.on_lines || frame_.cell < low_cell * s_) {  // beside the first number, not over it
       name_axis("y axis", {b.x, b.y - 6 * s_}, name);
       return at_.settled.y - size;
     }

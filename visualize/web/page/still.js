@@ -109,7 +109,7 @@ class StillDrawing {
     const gap = Math.max(8 * s, onLines * (2 * s + widest / 2));
     for (const row of ticks(this.firstRow(), view.y1 + onLines, tickStep(cell, 24 * s))) {
       const baseline = toPixels(this.at, 0, row - off)[1] + 7 * s;
-      if (!onLines && baseline - 0.8 * size <= y + height) continue;
+      if (!this.namesBeside() && baseline - 0.8 * size <= y + height) continue;
       const width = textWidth(written(row), size), edge = box.x - gap;
       const number = {x: edge - width, y: baseline - 0.8 * size, width, height: size};
       if (columns.some((other) => overlap(other, number))) continue;
@@ -124,12 +124,14 @@ class StillDrawing {
     const {box, s, yUp, follows, left, top} = this.at, {y_name: name} = this.run.trace.grid, size = TEXT * s;
     const text = `${name} ${yUp ? '↑' : '↓'}`, edge = box.x - 8 * s;
     // Beside the first number, not over it
-    if (this.run.trace.grid.on_lines) return this.stillText(text, box.x, box.y - 6 * s, 'start', 'italic');
+    if (this.namesBeside()) return this.stillText(text, box.x, box.y - 6 * s, 'start', 'italic');
     if (box.y - top < size && !follows) return this.stillText(text, edge, box.y + 16 * s, 'end', 'italic');
     // A long name may stand over the grid's corner, but not in the margin
     const x = Math.max(edge - textWidth(name, size, 'italic'), left);
     return this.stillText(text, x, box.y - 7 * s, 'start', 'italic');
   }
+  /** Whether the name of the rows stands beside the first number: on lines, and where that reaches up to the name. */
+  namesBeside() { return this.run.trace.grid.on_lines || this.at.cell < 24 * this.at.s; }
   /** A number of an axis: labels keep further away than from other texts. */
   tick(text, x, y, anchor) {
     const out = this.stillText(text, x, y, anchor);

@@ -301,7 +301,8 @@ inline void add_section(View& view, const Extent& place, const Subject& subject,
       if ((from > 0) != (to > 0)) cuts.push_back(flat(a + from / (from - to) * (b - a) - middle));
     }
     if (cuts.empty()) continue;
-    std::ranges::sort(cuts, {}, [&](dvec2 p) { return glm::dot(p - cuts[0], cuts[1] - cuts[0]); });
+    const dvec2 start = cuts[0], way = cuts[1] - cuts[0];
+    std::ranges::sort(cuts, {}, [&](dvec2 p) { return glm::dot(p - start, way); });
     for (std::size_t k = 0; k + 1 < cuts.size(); k += 2) pieces.push_back({i, cuts[k], cuts[k + 1]});
     for (const dvec2 p : cuts) extent.add(p);
   }
