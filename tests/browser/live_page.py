@@ -19,7 +19,7 @@ from axe_test import READ
 from share import in_share, share_of
 from webdriver import EVERYTHING, Browser
 
-A_TOPIC = 60_000  # bytes of the page, packed, that each topic may take, with its share of what all use
+A_TOPIC = 59_000  # bytes of the page, packed, that each topic may take, with its share of what all use
 MEASURES = 'return Object.fromEntries(performance.getEntriesByType("measure").map((m) => [m.name, m.duration]))'
 # The middle of the handle that moves these numbers of this argument, in the window
 PLACE = '''const handle = workbench.handles.handles.find((h) => h.name === arguments[0] && String(h.numbers) === arguments[1]);
