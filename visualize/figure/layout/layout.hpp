@@ -198,6 +198,10 @@ struct Obstacles {
   std::vector<Segment<2, double>> strokes;
   std::vector<Segment<2, double>> leaders;  ///< drawn so far: nothing may cross them
 };
+/// From here on, in units, the name of the rows may stand among their numbers.
+inline constexpr double high_cell = 64;
+/// Between it and the numbers where it stands aside, and above the upper number then.
+inline constexpr double name_gap = 8;
 /// The numbers and names beside the cells, which are taken then.
 void lay_out_axes(Pen& pen, const Grid& grid, const Scene& scene, Obstacles& taken);
 /// A label's place, and the line from it to its point where it does not stand beside it.

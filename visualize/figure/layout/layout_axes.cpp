@@ -86,12 +86,20 @@ class AxesLayout {
     const Box& b = frame_.box;
     const double size = text_size * s_;
     const std::string name = grid_.y_name + (frame_.y_up ? " ↑" : " ↓");
-    constexpr double low_cell = 24;                       // units: whose number reaches up to the name
-    if (grid_.on_lines || frame_.cell < low_cell * s_) {  // beside the first number, not over it
+    constexpr double low_cell = 24;  // units: whose number reaches up to the name
+    const bool above = b.y - at_.settled.y >= size || at_.follows;
+    if (!above &&
+        (grid_.on_lines || frame_.cell < high_cell * s_)) {  // left of all numbers, beside the upper one
+      const double shelf =
+          frame_.y_up ? 0 : (at_.own_cells(grid_).lower.y - frame_.view.lower.y) * frame_.cell;
+      name_axis("y axis", {at_.left, b.y + shelf + (grid_.on_lines ? 0 : frame_.cell / 2) + 7 * s_}, name);
+      return at_.settled.y - size;
+    }
+    if (above && (grid_.on_lines || frame_.cell < low_cell * s_)) {  // right of the first number, not over it
       name_axis("y axis", {b.x, b.y - 6 * s_}, name);
       return at_.settled.y - size;
     }
-    if (b.y - at_.settled.y < size && !at_.follows) {  // among the numbers
+    if (!above) {  // among the numbers
       const double left = b.x - 8 * s_ - text_width(name, Face::italic, size);
       name_axis("y axis", {left, b.y + 13 * s_}, name);
     } else {

@@ -160,7 +160,7 @@ class DrawingLayout {
   void draw_centres() {
     StrokesShape dots{{}, Paint::mark(Role::past), 4.4 * s_, true};
     std::vector<Box> texts;
-    for (const auto& [id, text] : letters_) texts.push_back(grown(text.box(), 5 * s_));
+    for (const auto& [id, text] : letters_) texts.push_back(grown(text.box(), 8 * s_));
     for (const dvec2 centre : centres_) {
       if (std::ranges::none_of(texts, [&](const Box& text) { return inside(centre, text); }))
         dots.segments.push_back({centre, centre});

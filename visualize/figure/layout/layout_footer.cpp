@@ -1,5 +1,7 @@
 // The footer: where in the run the step is, and what the marks mean.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -11,12 +13,25 @@
 namespace gradus::layout {
 namespace {
 
-constexpr double legend_left =
-    280;  ///< units: from there on in the first line, unless the position is longer
-constexpr double to_text = 8;
-/// From an entry to the next; the second where the first takes one line more.
-constexpr std::array to_next{28.0, 14.0};
+constexpr double to_text = 8, to_legend = 40;
+
 constexpr double largest_swatch = 32, smallest_swatch = 18;
+
+/// Where the legend begins in its first line, unless the position is longer, and how far its entries are
+/// apart; units.
+struct Setting {
+  double left, gap;
+  bool phase = true;  ///< the position tells it
+};
+/// The roomiest first. The last begins behind the longest number of a step.
+std::array<Setting, 3> settings_of(const Trace& trace) {
+  constexpr double left = 280;
+  const std::string longest = fmt::format("{}.888", trace.last);
+  const std::string step =
+      trace.wording.say("figure.step", fmt::arg("number", longest), fmt::arg("last", trace.last));
+  const double behind = trace.steps.empty() ? left : text_width(step, Face::sans, text_size) + to_legend;
+  return {{{left, 28}, {left, 14}, {std::min(left, behind), 14, false}}};
+}
 
 /// Puts things of some widths into lines one after another; units or pixels.
 struct Lines {
@@ -63,13 +78,14 @@ int lines_for(std::span<const ShownEntry> entries, Lines lines, double gap) {
 
 int footer_lines(const Trace& trace, double room) {
   constexpr int most = 3;
+  const auto settings = settings_of(trace);
   const auto lines_with = [&](auto is_shown) {
     int fewest = most;
-    for (const double gap : to_next) {
-      Lines lines{0, room, legend_left};
+    for (const Setting& setting : settings) {
+      Lines lines{0, room, setting.left};
       for (std::size_t i = 0; i < trace.legend.size(); ++i) {
         const double text = text_width(trace.legend[i].text, Face::sans, text_size);
-        if (is_shown(i)) lines.place(largest_swatch + to_text + text, gap);
+        if (is_shown(i)) lines.place(largest_swatch + to_text + text, setting.gap);
       }
       fewest = std::min(fewest, lines.line);
     }
@@ -86,17 +102,20 @@ void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window
   const double s = pen.scale(), size = text_size * s;
   const double baseline = box.y + (box.width < 1000 * s ? 28 : 32) * s;
   const std::vector<ShownEntry> entries = shown_entries(figure, view, s);
-  // The longest position there is decides where the legend starts, so that it keeps still
-  const auto legend_from = [&](const std::string& place) {
-    return Lines{box.x, box.right(),
-                 box.x + std::max(legend_left * s, text_width(place, Face::sans, size) + 40 * s)};
-  };
-  std::string place = figure.phase.empty() ? figure.position : figure.position + " · " + figure.phase;
-  if (lines_for(entries, legend_from(place), to_next[1] * s) > lines) place = figure.position;
-  place = elided(place, Face::sans, size, box.width);
+  std::string place;
+  Lines legend{};
+  double gap = 0;
+  for (const Setting& setting : settings_of(*figure.trace)) {
+    const bool phase = setting.phase && !figure.phase.empty();
+    place =
+        elided(phase ? figure.position + " · " + figure.phase : figure.position, Face::sans, size, box.width);
+    // The longest position there is decides where the legend starts, so that it keeps still
+    const double left = std::max(setting.left * s, text_width(place, Face::sans, size) + to_legend * s);
+    legend = {box.x, box.right(), box.x + left};
+    gap = setting.gap * s;
+    if (lines_for(entries, legend, gap) <= lines) break;
+  }
   pen.text("position", {{box.x, baseline}, place, Face::sans, size, Align::left, Paint::of(Tone::muted)});
-  Lines legend = legend_from(place);
-  const double gap = to_next[lines_for(entries, legend, to_next[0] * s) > lines ? 1 : 0] * s;
   for (const auto& [entry, mark, swatch_width, width] : entries) {
     const double x = legend.place(width, gap);
     if (legend.line > lines || x + width > box.right()) break;  // a text longer than the sheet is wide

@@ -23,18 +23,24 @@ constexpr double paper_rim = 2;    ///< of a line's width at the border of a pap
 constexpr double inset_height = 104, inset_gap = 8;         ///< of an overview above the view
 constexpr double inset_width = 190, inset_column_gap = 16;  ///< of one beside it
 
-/// With the name of the rows above their numbers, or among them, where it takes the place of the last one.
-Margins axis_margins(const Stage& stage, double cell, bool name_above = true) {
-  // The name of the columns stands behind the last number, which stands in the middle of its cell
-  // or at its end
+/// Where the name of the rows stands: above their numbers, over the last one of them, or left of all.
+enum class RowName { above, among, aside };
+
+Margins axis_margins(const Stage& stage, double cell, RowName name = RowName::above) {
+  // The name of the columns stands behind the last number, which stands in the middle of its cell or at its
+  // end
   const double least = cell < roomy_cell || stage.axes->on_lines ? 0 : roomy_cell;
   const double x_name = text_width(stage.axes->x_name, Face::italic, text_size) + 10 +
                         (std::min(stage.column_numbers, roomy_cell) - least) / 2;
   const double y_name = text_width(stage.axes->y_name + " ↑", Face::italic, text_size);
-  const double numbers = std::max({stage.numbers, 14.0, name_above ? 0.0 : y_name});
+  const double numbers = std::max({stage.numbers, 14.0, name == RowName::among ? y_name : 0.0}) +
+                         (name == RowName::aside ? y_name + name_gap : 0);
+  const bool low = cell < roomy_cell;  // so that the upper number reaches out
+  const double above = name == RowName::above          ? axis_above
+                       : name == RowName::aside && low ? name_gap
+                                                       : axis_rim;
   const double gap = stage.axes->on_lines ? std::max(8.0, 2 + stage.column_numbers / 2) : 8;
-  return {numbers + 2 + gap, std::max(least > 0 ? 8.0 : 24.0, x_name), name_above ? axis_above : axis_rim,
-          axis_below};
+  return {numbers + 2 + gap, std::max(least > 0 ? 8.0 : 24.0, x_name), above, axis_below};
 }
 
 /// What one side needs for its texts: each reaches so far out, less its distance from the border in units of
@@ -94,20 +100,20 @@ struct Sized {
   Margins margins{};
 };
 
-/// Whether the name of the rows may stand among their numbers, over the last one.
-bool may_stand_among(const Stage& stage, double cell) {
-  constexpr double high_cell = 64;
-  return cell >= high_cell && !stage.axes->on_lines && !stage.part;
+/// Whether the name of the rows may stand there; over the last number where that has its room.
+bool may_stand(const Stage& stage, RowName name, double cell) {
+  if (name == RowName::above) return true;
+  return !stage.part && (name == RowName::aside || (cell >= high_cell && !stage.axes->on_lines));
 }
 
 Sized largest_of_grid(const Stage& stage, double width, double height) {
   Sized best;
-  for (const bool name_above : {true, false}) {
+  for (const RowName name : {RowName::above, RowName::among, RowName::aside}) {
     for (const double from : {roomy_cell, 0.0}) {
-      const Margins margins = axis_margins(stage, from, name_above);
+      const Margins margins = axis_margins(stage, from, name);
       const double cell = cell_between(stage, margins, width, height);
       if (cell < from || cell <= best.cell * 1.001) continue;
-      if (name_above || may_stand_among(stage, cell)) best = {cell, margins};
+      if (may_stand(stage, name, cell)) best = {cell, margins};
     }
   }
   return best;

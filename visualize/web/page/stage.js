@@ -4,6 +4,7 @@
 
 const TEXT = 20, PARAGRAPH_LINE = 26;  // all sizes are those of the C++ layout, in units of which a slide's height has 720
 const LARGEST_CELL = 96, LEAST_CELL = 16, LEAST_WHOLE_CELL = 6, FOLLOWED_CELL = 30, ROOMY_CELL = 44;
+const HIGH_CELL = 64, NAME_GAP = 8;  // where the name of the rows stands
 const LEAST_DOTTED = 14, LEAST_RULED = 6;  // smaller cells have no dot in the middle, or no lines between them
 const AXIS_BELOW = 31, AXIS_ABOVE = 27, AXIS_RIM = 4, PAPER_RIM = 4;
 const INSET = 104, INSET_GAP = 8, INSET_WIDTH = 190, INSET_COLUMN_GAP = 16;  // of an overview above, or beside
@@ -69,16 +70,17 @@ class Stage {
 
   // Room beside what is shown
 
-  /** With the name of the rows above their numbers, or among them, where it takes the place of the last one. */
-  axisMargins(cell, nameAbove) {
+  /** With the name of the rows above their numbers, over the last one of them (among), or left of all (aside). */
+  axisMargins(cell, rowName) {
     const {grid, cells} = this, name = (text) => Math.ceil(textWidth(text, TEXT, 'italic'));
     const widths = (...ends) => ends.map((end) => Math.ceil(textWidth(written(end), TEXT)));
     const numbers = widths(cells.y0, cells.y1), columns = Math.max(...widths(cells.x0, cells.x1));
+    const rows = name(`${grid.y_name} ↑`), widest = Math.max(...numbers, 14, rowName === 'among' ? rows : 0);
     const gap = grid.on_lines ? Math.max(8, 2 + columns / 2) : 8;
     return {
-      left: Math.max(...numbers, 14, nameAbove ? 0 : name(`${grid.y_name} ↑`)) + 2 + gap,
+      left: widest + (rowName === 'aside' ? rows + NAME_GAP : 0) + 2 + gap,
       right: cell < ROOMY_CELL || grid.on_lines ? Math.max(24, name(grid.x_name) + 12) : 8,
-      above: nameAbove ? AXIS_ABOVE : AXIS_RIM,
+      above: {above: AXIS_ABOVE, among: AXIS_RIM, aside: cell < ROOMY_CELL ? NAME_GAP : AXIS_RIM}[rowName],
       below: AXIS_BELOW
     };
   }
@@ -105,12 +107,13 @@ class Stage {
     return this.axes ? this.largestOfGrid(width, height) : this.largestOfPaper(width, height);
   }
   largestOfGrid(width, height, size = this.size) {
-    let best = {cell: 0, margins: this.axisMargins(0, true)};
-    for (const nameAbove of [true, false]) {
+    let best = {cell: 0, margins: this.axisMargins(0, 'above')};
+    for (const rowName of ['above', 'among', 'aside']) {
       for (const from of [ROOMY_CELL, 0]) {
-        const margins = this.axisMargins(from, nameAbove), cell = this.cellBetween(margins, width, height, size);
+        const margins = this.axisMargins(from, rowName), cell = this.cellBetween(margins, width, height, size);
         // Among the numbers the name stands over the last one
-        const fits = nameAbove || (cell >= 64 && !this.grid.on_lines && !this.grid.part);
+        const among = rowName === 'among' && cell >= HIGH_CELL && !this.grid.on_lines;
+        const fits = rowName === 'above' || (!this.grid.part && (rowName === 'aside' || among));
         if (cell >= from && cell > best.cell * 1.001 && fits) best = {cell, margins};
       }
     }
@@ -164,7 +167,7 @@ class Stage {
     if (part) return part;
     const sized = this.largestIn(width, height);
     if (!this.mayFollow || sized.cell >= LEAST_CELL) return {...sized, ...all};
-    const margins = this.axisMargins(FOLLOWED_CELL, true);
+    const margins = this.axisMargins(FOLLOWED_CELL, 'above');
     const across = width - margins.left - margins.right, up = height - margins.above - margins.below;
     const count = (room, most) => clamp(Math.floor(room / FOLLOWED_CELL), 1, most);
     const followed = (side, room) => ({

@@ -71,7 +71,7 @@ class StillDrawing {
   centres() {
     if (this.texels || this.at.cell < LEAST_DOTTED * this.at.s) return svg('g');
     const {view, s} = this.at, wall = this.run.trace.roles.indexOf('boundary');
-    const texts = this.marked.map(({box}) => grown(box, 5 * s));  // a dot beside one would be its punctuation
+    const texts = this.marked.map(({box}) => grown(box, 8 * s));  // a dot beside one would be its punctuation
     let d = '';
     for (let y = this.firstRow(); y <= view.y1; ++y) {
       for (let x = view.x0; x <= view.x1; ++x) {
@@ -109,7 +109,7 @@ class StillDrawing {
     const gap = Math.max(8 * s, onLines * (2 * s + widest / 2));
     for (const row of ticks(this.firstRow(), view.y1 + onLines, tickStep(cell, 24 * s))) {
       const baseline = toPixels(this.at, 0, row - off)[1] + 7 * s;
-      if (!this.namesBeside() && baseline - 0.8 * size <= y + height) continue;
+      if (!this.namesBeside() && !this.isAside() && baseline - 0.8 * size <= y + height) continue;
       const width = textWidth(written(row), size), edge = box.x - gap;
       const number = {x: edge - width, y: baseline - 0.8 * size, width, height: size};
       if (columns.some((other) => overlap(other, number))) continue;
@@ -121,17 +121,24 @@ class StillDrawing {
   }
   /** The arrow behind the name of the rows says where they grow; columns always grow to the right. */
   nameRows() {
-    const {box, s, yUp, follows, left, top} = this.at, {y_name: name} = this.run.trace.grid, size = TEXT * s;
+    const {box, s, yUp, left} = this.at, {y_name: name} = this.run.trace.grid, size = TEXT * s;
     const text = `${name} ${yUp ? '↑' : '↓'}`, edge = box.x - 8 * s;
-    // Beside the first number, not over it
+    const {cell, view} = this.at, shelf = yUp ? 0 : (this.firstRow() - view.y0) * cell;
+    const rise = shelf + (this.run.trace.grid.on_lines ? 0 : cell / 2);
+    if (this.isAside()) return this.stillText(text, left, box.y + rise + 7 * s, 'start', 'italic');
     if (this.namesBeside()) return this.stillText(text, box.x, box.y - 6 * s, 'start', 'italic');
-    if (box.y - top < size && !follows) return this.stillText(text, edge, box.y + 16 * s, 'end', 'italic');
+    if (!this.hasRoomAbove()) return this.stillText(text, edge, box.y + 16 * s, 'end', 'italic');
     // A long name may stand over the grid's corner, but not in the margin
     const x = Math.max(edge - textWidth(name, size, 'italic'), left);
     return this.stillText(text, x, box.y - 7 * s, 'start', 'italic');
   }
-  /** Whether the name of the rows stands beside the first number: on lines, and where that reaches up to the name. */
-  namesBeside() { return this.run.trace.grid.on_lines || this.at.cell < 24 * this.at.s; }
+  hasRoomAbove() { return this.at.box.y - this.at.top >= TEXT * this.at.s || this.at.follows; }
+  /** Whether the name of the rows stands left of all numbers, beside the upper one. */
+  isAside() {
+    return !this.hasRoomAbove() && (this.run.trace.grid.on_lines || this.at.cell < HIGH_CELL * this.at.s);
+  }
+  /** Whether it stands right of the first number, not over it: on lines, and where that reaches up to it. */
+  namesBeside() { return this.hasRoomAbove() && (this.run.trace.grid.on_lines || this.at.cell < 24 * this.at.s); }
   /** A number of an axis: labels keep further away than from other texts. */
   tick(text, x, y, anchor) {
     const out = this.stillText(text, x, y, anchor);

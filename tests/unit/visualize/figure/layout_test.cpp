@@ -46,10 +46,10 @@ std::size_t cells_seen = 0;
 void cells_of_a_slide_are_never_smaller_than_24_of_720(const Trace& trace, const Sheet& sheet,
                                                        const Look& look) {
   if (look.layout == Layout::handout) return;
-  // A grid that is shown whole pays with smaller cells; two pictures on a square slide below a fault and
-  // above a whole legend, with more
+  // A grid that is shown whole pays with smaller cells; two pictures on a square slide below a fault, with
+  // more
   const bool below_fault = trace.grid.lines > 0 && look.width == look.height && !trace.faulty.empty();
-  const double least = !trace.grid.whole ? 24 : below_fault ? 3.8 : 6;
+  const double least = !trace.grid.whole ? 24 : below_fault ? 4.5 : 6;
   for (const Shape& shape : sheet.shapes) {
     const RectShape* rect = std::get_if<RectShape>(&shape.what);
     if (!rect || !shape.id.starts_with("cell ")) continue;
