@@ -129,7 +129,7 @@ Image pixels_of(const ImageShape& shape, const Theme& theme) {
                    static_cast<std::uint8_t>(mark), 255};
     }
   }
-  if (theme.name != "greyscale") return pixels;
+  if (!theme.grey) return pixels;
   for (int y = 0; y < pixels.height(); ++y) {
     for (int x = 0; x < pixels.width(); ++x) {
       Rgba8& pixel = pixels[{x, y}];

@@ -83,6 +83,8 @@ const std::array<Theme, 5> all_themes{{
          {{0x7c7c7c}, {0xffffff}, {0x474747}},
      }},
      {{{0x161616}, {0x161616}, {0x161616}, {0x161616}}},
+     true,
+     false,
      true},
     {"high_contrast",
      {{{0xffffff},

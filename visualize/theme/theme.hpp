@@ -36,6 +36,7 @@ struct Theme {
   std::array<Rgb, quantity_colors> quantity;
   bool quantities_underlined = false;  ///< where colours do not tell them apart
   bool hatched = false;  ///< grounds are hatched, not tinted: a printer makes dots of light grey
+  bool grey = false;     ///< pictures lose their colours, too
   Rgb operator[](Tone t) const { return tone[static_cast<std::size_t>(t)]; }
   const RoleLook& operator[](Role r) const { return role[static_cast<std::size_t>(r)]; }
 };
