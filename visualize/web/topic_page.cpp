@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "web/article.hpp"
 #include "web/formulas.hpp"
 #include "web/html.hpp"
+#include "web/prose.hpp"
 
 namespace gradus {
 namespace {
@@ -27,6 +29,7 @@ namespace {
 struct CmarkLibrary {
   LibraryOnDemand library{GRADUS_CMARK, "pages of topics"};
 
+  GRADUS_CMARK_FUNCTION(consolidate_text_nodes);
   GRADUS_CMARK_FUNCTION(find_syntax_extension);
   GRADUS_CMARK_FUNCTION(gfm_core_extensions_ensure_registered);
   GRADUS_CMARK_FUNCTION(iter_free);
@@ -152,6 +155,21 @@ void put_formulas(cmark_node* document) {
   }
 }
 
+/// Sets what sentences and cells write in plain letters; headings are links, and a picture's words stay
+/// words.
+void put_prose(cmark_node* document) {
+  cmark().consolidate_text_nodes(document);
+  std::vector<cmark_node*> plain;
+  for (const std::string_view kind : {"heading", "image"}) {
+    for (cmark_node* node : nodes_of(document, kind))
+      std::ranges::copy(nodes_of(node, "text"), std::back_inserter(plain));
+  }
+  for (cmark_node* text : nodes_of(document, "text")) {
+    if (std::ranges::find(plain, text) != plain.end()) continue;
+    replace(text, html_node(CMARK_NODE_HTML_INLINE, set_prose(cmark().node_get_literal(text))));
+  }
+}
+
 /// The file that a link on the topic's page means, from the project's root.
 std::string target_of(const TopicEntry& topic, std::string_view path) {
   std::string folder = fmt::format("{}{}", topics_folder, topic.chapter);
@@ -192,6 +210,7 @@ class Page {
     lead_links();
     frame_tables();
     make_sections(figures);
+    put_prose(document_.get());
     return html_of(document_.get()) + sources_html() + "</section>\n";
   }
 
@@ -348,6 +367,7 @@ std::string html_of_line(std::string_view markdown) {
       replace(tag, html_node(type, cmark().node_get_literal(tag)));
   }
   put_formulas(document.get());
+  put_prose(document.get());
   std::string html = html_of(document.get());
   constexpr std::string_view before = "<p>", after = "</p>\n";
   if (html.starts_with(before) && html.ends_with(after)) {

@@ -7,6 +7,7 @@
 #include "figure/text/markup.hpp"
 #include "web/gallery_page.hpp"
 #include "web/html.hpp"
+#include "web/prose.hpp"
 #include "web/topic_page.hpp"
 
 namespace gradus {
@@ -73,6 +74,29 @@ TEST(GalleryPage, ShowsOnlyWhatACardHas) {
   EXPECT_THAT(full, HasSubstr("href=\"./a/a-steps.zip\""));
   EXPECT_THAT(full, HasSubstr("dda digital &lt;analyser&gt;\""));
   EXPECT_THAT(full, HasSubstr("<code>\\includegraphics&lt;1&gt;{a}</code>"));
+}
+
+TEST(Prose, SetsWhatIsAFormula) {
+  EXPECT_EQ(set_prose("p = 3 - 2 r"), "<i>p</i> = 3 − 2 <i>r</i>");
+  EXPECT_EQ(set_prose("y0 + (y1 - y0)(c - x0)"),
+            "<i>y</i><sub>0</sub> + (<i>y</i><sub>1</sub> − <i>y</i><sub>0</sub>)(<i>c</i> − "
+            "<i>x</i><sub>0</sub>)");
+  EXPECT_EQ(set_prose("starts at -1; |z - f| > -dx"), "starts at −1; |<i>z</i> − <i>f</i>| &gt; −<i>dx</i>");
+  EXPECT_EQ(set_prose("u = 2^-53, (x+1)^2"), "<i>u</i> = 2<sup>−53</sup>, (<i>x</i>+1)<sup>2</sup>");
+  EXPECT_EQ(set_prose("(0,0)-(5,2) and (a + b)-(c + d)"),
+            "(0,0)–(5,2) and (<i>a</i> + <i>b</i>)−(<i>c</i> + <i>d</i>)");
+  EXPECT_EQ(set_prose("(P - e) at xmax - xmin"), "(P − <i>e</i>) at xmax − xmin");
+  EXPECT_EQ(set_prose("pages 305-363"), "pages 305–363");
+  EXPECT_EQ(set_prose("1e-8 and B^n"), "1e−8 and B<sup>n</sup>");
+}
+
+TEST(Prose, LeavesWordsWhatTheyAre) {
+  for (const char* words :
+       {"a right-angled, 8-connected step in 32-bit numbers, e.g. of a half-plane", "10 samples in 2 s",
+        "the y-coordinate", "g++ -O3", "up to 1e308", "x-sorted lists"}) {
+    EXPECT_EQ(set_prose(words), words);
+  }
+  EXPECT_EQ(set_prose("a corner <a>"), "a corner &lt;<i>a</i>&gt;");
 }
 
 TEST(TopicPage, EveryTopicHasOne) {
