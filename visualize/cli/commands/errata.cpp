@@ -47,12 +47,23 @@ Side side_of(const TopicEntry& topic, std::map<std::string, std::string> given, 
   return side;
 }
 
+/// Real numbers on the page have so many digits, unless it takes more to tell two of them apart.
+constexpr int few_digits = 4, all_digits = 17;
+
 /// A number that nobody reads digit by digit.
-std::string short_text(const Value& value) {
+std::string short_text(const Value& value, int digits = few_digits) {
+  if (const double* real = std::get_if<double>(&value)) return fmt::format("{:.{}g}", *real, digits);
   const auto* whole = std::get_if<std::int64_t>(&value);
   constexpr std::int64_t long_number = 1'000'000'000;
   const bool is_long = whole && (*whole >= long_number || *whole <= -long_number);
   return is_long ? fmt::format("about {:.1e}", static_cast<double>(*whole)) : value_text(value);
+}
+
+/// "3 for -1": two different values, with no more digits than that takes.
+std::string one_for_another(const Value& wrong, const Value& right) {
+  int digits = few_digits;
+  while (digits < all_digits && short_text(wrong, digits) == short_text(right, digits)) ++digits;
+  return fmt::format("{} for {}", short_text(wrong, digits), short_text(right, digits));
 }
 
 /// A field's name as words: "peak_calls" is "peak calls".
@@ -67,8 +78,7 @@ std::string differences(const std::vector<Field>& wrong, const std::vector<Field
   for (const Field& field : wrong) {
     const auto other = std::ranges::find(right, field.name, &Field::name);
     if (other == right.end() || other->value == field.value) continue;
-    found.push_back(fmt::format("{} = {} for {}", words_of(field.name), short_text(field.value),
-                                short_text(other->value)));
+    found.push_back(fmt::format("{} = {}", words_of(field.name), one_for_another(field.value, other->value)));
   }
   return fmt::format("{}", fmt::join(found, ", "));
 }
