@@ -223,7 +223,7 @@ std::string fitted_note(std::string note, double size, double room) {
       shorter.resize(at);
       if (fits(shorter)) return shorter;
     }
-    if (note.find(" = ") != note.npos) break;  // no value without its number
+    if (note.find(" = ") != note.npos || note.find(": ") != note.npos) break;  // no name without its number
   }
   return elided(note, Face::sans, size, room);
 }

@@ -154,6 +154,7 @@ struct Trace {
   bool whole() const;                  ///< whether every step of the run is in `steps`
 
   std::vector<Field> result;
+  std::vector<std::string> counts{};  ///< what runs are compared by: "cuts: 4", of the whole run
   std::vector<ivec2> pixels;  ///< rasters: the pixels that were set, in order (as many as were recorded)
 
   /// The step whose figure tells most: what a figure shows where no step is named.

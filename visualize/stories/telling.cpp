@@ -173,7 +173,8 @@ Narrator::Narrator(const TopicEntry& topic, const Arguments& arguments, Recordin
       method_(method_of(topic, arguments)),
       writer_(recording_),
       words_(writer_.wording(), topic.name),
-      board_(writer_) {
+      board_(writer_),
+      counted_(topic.counts.size()) {
   introduce(trace(), topic.name, arguments, method_.standing == Standing::faulty);
   std::erase_if(trace().arguments,
                 [&](const Argument& a) { return std::ranges::count(method_.unread, a.name) > 0; });
@@ -280,8 +281,22 @@ int Narrator::marked_line(int line) {
   return 0;
 }
 
+void Narrator::count(std::string_view type) {
+  const auto found = std::ranges::find(topic_.counts, type);
+  if (found != topic_.counts.end()) ++counted_[static_cast<std::size_t>(found - topic_.counts.begin())];
+}
+
+std::vector<std::string> Narrator::counts() const {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < counted_.size(); ++i) {
+    if (counted_[i] > 0) texts.push_back(words_.say("counts." + topic_.counts[i], {{"n", counted_[i]}}));
+  }
+  return texts;
+}
+
 void Narrator::tell(std::string_view type, int line, const std::function<Event()>& say) {
   line_ = line;
+  count(type);
   const auto describe = [&](TraceStep& step) { this->describe(step, type, say()); };
   const Board::Kind kind = std::exchange(board_.kind_, Board::Kind::none);
   Delta delta = std::exchange(board_.delta_, {});
@@ -326,6 +341,7 @@ Trace Narrator::finish() && {
   Trace trace = std::move(writer_).finish();
   trace.telling = telling_ ? *telling_ : telling_step(trace);
   trace.result = std::move(result_);
+  trace.counts = counts();
   if (afterwards_) afterwards_(trace);
   return trace;
 }

@@ -384,6 +384,8 @@ class Narrator {
   int in_listed_file(int line, std::string_view file);
   /// The line that is marked for a report from this one; 0 where it isn't in what is listed.
   int marked_line(int line);
+  void count(std::string_view type);
+  std::vector<std::string> counts() const;
   void describe(TraceStep& step, std::string_view type, Event event);
   void add_handles(std::string_view parameter, int dimensions, const PlaceOnPaper& at,
                    std::optional<double> step);
@@ -397,6 +399,7 @@ class Narrator {
   Board board_;
   bool key_by_type_ = false;
   std::vector<Field> result_;
+  std::vector<std::int64_t> counted_;  ///< of each type that the topic counts
   std::optional<StepNumber> telling_;
   double tells_most_ = 0;
   int line_ = 0;

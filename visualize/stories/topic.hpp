@@ -223,6 +223,8 @@ struct TopicEntry {
   std::vector<Method> methods;
   std::string default_method{};
   std::vector<Column> columns{};  ///< of the methods that name none of their own
+  /// Types of steps by whose number runs are compared, the first ones first: "<topic>.counts.<type>" says it.
+  std::vector<std::string> counts{};
   std::vector<Parameter> parameters;
   std::vector<std::string> examples;  ///< three argument lists to paste: "--from 0,0 --to 7,3"
   Trace (*run)(const Arguments&, Recording) = nullptr;

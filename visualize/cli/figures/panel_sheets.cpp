@@ -234,9 +234,12 @@ Sheet compared_sheet(const FigureSpec& spec, Takes& takes, StepNumber step, cons
                        joined(wording, a.position, b.position),
                        "",
                        {of_a.longest_sentence, of_b.longest_sentence}};
+  const bool results = both_right(spec, takes) && step == StepNumber{takes.last(), 0};
   const auto side = [&](const Figure& figure, const Figure& other) {
     const auto ring = parts ? place_of_difference(figure, other) : std::nullopt;
-    const std::string& own = told_step(figure).note;
+    const std::string own = results && !figure.trace->counts.empty()
+                                ? fmt::format("{}", fmt::join(figure.trace->counts, ", "))
+                                : told_step(figure).note;
     const std::string note = ring ? wording.say("figure.parting")
                              : !own.empty()
                                  ? own

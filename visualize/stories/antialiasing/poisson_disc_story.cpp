@@ -410,6 +410,7 @@ const TopicEntry& entry() {
             {.name = "best_candidate", .tell = tell_candidates, .unread = of_area}},
        .default_method = "bridson",
        .columns = {{"samples"}, {"place", false}, {"nearest"}, {"kept", false}},
+       .counts = {"Tried", "Compared"},
        .parameters = {number("radius", "0.2", "0.15", "the distance of any two samples", {1e-9, 1e9}),
                       numbers("area", "1.2,0.8", "1,1", "width and height of the area", {"width", "height"},
                               {1e-9, 1e9}),

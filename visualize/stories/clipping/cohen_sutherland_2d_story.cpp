@@ -393,6 +393,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                    {"y"},
                    {.id = "code_a", .numeric = false, .quantity = "a"},
                    {.id = "code_b", .numeric = false, .quantity = "b"}},
+       .counts = {"Cut"},
        .parameters =
            {window_view::line_parameter(), window_view::window_parameter(), window_view::order_parameter(),
             noted(&Notation::bits,

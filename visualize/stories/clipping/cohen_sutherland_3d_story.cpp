@@ -277,6 +277,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                    {.id = "code_b", .quantity = "b"},
                    {"and"},
                    {"decision", false}},
+       .counts = {"Cut"},
        .parameters =
            {numbers("line", "-2,1,2,12,11,9", "-2,1,2,12,11,9", "the segment's ends: x0,y0,z0,x1,y1,z1",
                     {"x0", "y0", "z0", "x1", "y1", "z1"}, {1e-300, 1e300}),

@@ -349,6 +349,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     .unread = {"line", "window", "order"},
                     .exact = true}},
        .columns = {{"border", false}, {"p"}, {"q"}, {"t"}, {"kind", false}, {"enter"}, {"leave"}},
+       .counts = {"Tested", "Ordered"},
        .parameters = {window_view::line_parameter(), window_view::window_parameter(),
                       window_view::order_parameter(),
                       numbers("space_line", "-2,1,2,12,11,9", "-2,1,2,12,11,9",

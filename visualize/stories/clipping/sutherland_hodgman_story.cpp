@@ -336,6 +336,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
        .summary = "the part of a polygon that lies in a convex window, border by border",
        .methods = all_methods(),
        .columns = {{"edge", false}, {"was", false}, {"is", false}, {"kept", false}},
+       .counts = {"EdgeCut", "Cut", "VertexTested", "Tested"},
        .parameters = parameters(),
        .examples = {"--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --window 0,0,10,10",
                     "--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --method separate_pieces",

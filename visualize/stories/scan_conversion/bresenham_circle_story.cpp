@@ -457,6 +457,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     .without = {"window"},
                     .within = {{"radius", longest_watched}}}},
        .columns = {{"k"}, {"x"}, {"y"}, {"p"}, {"test", false}, {"step", false}},
+       .counts = {"Compared"},
        .parameters = {{"center", ParameterType::cell, "0,0", "0,0", "middle pixel: column,row; y points up"},
                       {"radius", ParameterType::integer, "8", "10", "in pixels", 0},
                       {"window", ParameterType::window, "", "0,0,15,9",

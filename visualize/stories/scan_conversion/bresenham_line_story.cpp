@@ -392,6 +392,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                    faulty("misprinted_derivation",
                           tell_notes<Way::misprinted, [](auto... run) { misprinted_derivation(run...); }>)},
        .columns = {{"k"}, {"x"}, {"y"}, {"p"}, {"test", false}, {"step", false}},
+       .counts = {"Compared", "Divided", "Added", "Rounded", "RunEmitted"},
        .parameters = {{"from", ParameterType::cell, "0,0", "0,0", "first pixel: column,row; y points up"},
                       {"to", ParameterType::cell, "7,3", "7,3", "last pixel"},
                       {"window", ParameterType::window, "", "0,0,15,9",

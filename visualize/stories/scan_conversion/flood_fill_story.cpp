@@ -168,6 +168,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     .why_without = ""}},
        .default_method = "span",
        .columns = {{"n"}, {"row"}, {"left"}, {"right"}, {"pixels"}, {"painted"}},
+       .counts = {"Painted", "SpanFilled", "Examined"},
        .parameters =
            {{"maze", ParameterType::maze, std::string(example_maze), "maze.txt",
              "what to fill: a text file, - or rows joined by /; # wall, . free, letters are colours"},

@@ -374,6 +374,7 @@ const TopicEntry& entry() {
                     .tell = tell_smooth<[](const auto&... a) { flat_by_vertex_normals(a...); }, true>,
                     .unread = {"intensities", "towards"}}},
        .default_method = "gouraud",
+       .counts = {"PolygonLit", "VertexLit", "Shaded"},
        .parameters =
            {faces(400, "faces", "0,0,0 10,0,0 5,10,0", "A: 0,0,0 8,0,0 8,8,2; B: 0,0,0 8,8,2 0,8,0",
                   "what is shaded, seen from +z: faces without dents, counter-clockwise seen from outside",

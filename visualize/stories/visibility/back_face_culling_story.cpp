@@ -377,6 +377,7 @@ const TopicEntry& entry() {
                     .tell = tell_method<By::area, by_six, true>}},
        .default_method = "normal_and_view",
        .columns = {{"face", false}, {"N"}, {"V"}, {"product"}, {"side", false}},
+       .counts = {"NormalFound", "ViewTaken", "Judged"},
        .parameters = {faces,
                       parameters::numbers("eye", "2,1.8,2.9", "3,4,5", "where the eye is", parameters::xyz,
                                           sizes),

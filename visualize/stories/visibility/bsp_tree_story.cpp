@@ -362,6 +362,7 @@ const TopicEntry& entry() {
                     .function = "build_uncut"}},
        .default_method = "build",
        .columns = {{"plane", false}, {"polygon", false}, {"in_front"}, {"behind"}, {"side", false}},
+       .counts = {"Split", "Drawn"},
        .parameters = {faces_subject::faces_parameter(
                           "A: -6.2,-3.6,-1.2 6.2,-3.6,1.2 6.2,-1.6,1.2 -6.2,-1.6,-1.2; "
                           "B: 6.2,-3.6,-1.2 0,7.1,1.2 -1.7,6.1,1.2 4.5,-4.6,-1.2; "

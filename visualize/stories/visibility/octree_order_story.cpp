@@ -241,6 +241,7 @@ const TopicEntry& entry() {
                     .function = "nearer_first"},
                    {.name = "back_to_front", .tell = tell_order<false>, .function = "farther_first"}},
        .default_method = "front_to_back",
+       .counts = {"Visited"},
        .parameters = {points(1, 64, "points", "1,1,1 7,2,7 6,1,5 2,6,3", "1,1,1 5,5,5 6,6,6",
                              "what the cells hold: one with several is cut into eight", xyz, modest),
                       number("side", "8", "16", "of the whole cube, whose least corner is 0,0,0", modest),

@@ -424,6 +424,7 @@ const TopicEntry& entry() {
             {.name = "descending_mean_z", .standing = Standing::faulty, .tell = tell_order<by_z, by_mean_z>}},
        .default_method = "newell",
        .columns = {{"p", false}, {"q", false}, {"passed", false}},
+       .counts = {"Compared", "Cut", "Drawn"},
        .parameters = {faces_subject::faces_parameter(
                           "A: -6,-3,-5 6,-3,3 6,0,3 -6,0,-5; B: -5,-5,-1 -1,-5,-1 -1,3,-1 -5,3,-1; "
                           "C: 2,-5,-4 5,-5,-4 5,4,-4 2,4,-4; D: -6,-10,-13 7,-10,-13 7,5,-13 -6,5,-13",

@@ -414,6 +414,7 @@ const TopicEntry& entry() {
                     .unread = {"depth", "near", "far"}}},
        .default_method = "per_polygon",
        .columns = {{"face", false}, {"x"}, {"y"}, {"z"}, {"old"}, {"shown", false}},
+       .counts = {"Compared"},
        .parameters =
            {faces(400, "faces",
                   "A: 0,0,5 6,0,5 6,5,5 0,5,5; B: 3,2,3 8,2,3 8,7,3 3,7,3; C: 1,4,1 7,4,7 7,8,7 1,8,1",

@@ -337,6 +337,38 @@ TEST(Compare, OfTwoRightRunsShowsTheirResultsWithoutARing) {
   }
 }
 
+TEST(Compare, OfTwoRightRunsSaysWhatTheyTook) {
+  const auto notes = [](const cli::FigureSpec& spec) {
+    const Sheet sheet = sheet_for(spec);
+    const auto text = [&](std::string_view id) {
+      const TextShape* found = test::find_text(sheet, id);
+      return found ? found->text : "";
+    };
+    return std::vector{text("panel 1 note"), text("panel 2 note")};
+  };
+  // The default line crosses all four borders
+  EXPECT_THAT(notes(spec_of("cohen_sutherland_2d", {{"compare", "liang_barsky"}})),
+              testing::ElementsAre("cuts: 4", "borders tested: 4"));
+  // Nine steps along x, a test each; for the rest of the analyser's counts its long name leaves no room
+  EXPECT_THAT(notes(spec_of("bresenham_line", {{"compare", "dda"}}, {{"to", "9,4"}})),
+              testing::ElementsAre("tests: 9", "divisions: 1"));
+}
+
+TEST(Compare, CountsAreOfTheWholeRun) {
+  const Trace dda = trace_of(*find_entry("bresenham_line"), {{"method", "dda"}, {"to", "9,4"}});
+  EXPECT_THAT(dda.counts, testing::ElementsAre("divisions: 1", "additions: 9", "roundings: 9"));
+  for (const char* method : {"depth_first", "breadth_first"}) {
+    const Trace trace = trace_of(*find_entry("flood_fill"), {{"method", method}});
+    const std::set<std::uint64_t> painted = [&] {
+      std::set<std::uint64_t> keys;
+      for (const ivec2 p : trace.pixels) keys.insert(key_of(p));
+      return keys;
+    }();
+    ASSERT_FALSE(trace.counts.empty()) << method;
+    EXPECT_EQ(trace.counts.front(), fmt::format("painted: {}", painted.size())) << method;
+  }
+}
+
 TEST(Panels, OfAMazeShowAllOfIt) {
   const Sheet sheet = sheet_for(spec_of("flood_fill", {{"panels", "phases"}}));
   EXPECT_FALSE(has(sheet, "panel 1 overview frame"));

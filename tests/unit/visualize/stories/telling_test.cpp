@@ -48,6 +48,7 @@ void collect(const Trace& trace, std::set<std::string>& keys) {
   }
   for (const Column& column : trace.columns) collect(column.name, keys);
   for (const LegendEntry& entry : trace.legend) collect(entry.text, keys);
+  for (const std::string& count : trace.counts) collect(count, keys);
   for (const Mark& mark : trace.backdrop) collect(mark, keys);
   for (const TraceStep& step : trace.steps) {
     collect(step.sentence, keys);
