@@ -50,7 +50,7 @@ class SineStory {
   SineStory(const Words& words, const Subject& subject)
       : words_(words),
         subject_(subject),
-        panel_({{2.6, 10}, {39.4, 24.8}}, {{0, -1}, {subject.seconds(), 1}}, Panel::Fit::stretched) {}
+        panel_({{2.6, 13}, {39.4, 25}}, {{0, -1}, {subject.seconds(), 1}}, Panel::Fit::stretched) {}
 
   static constexpr int width = 42, height = 26;
 
@@ -136,10 +136,11 @@ class SineStory {
     view.add({"c sine", Role::input,
               path_of(panel_, 0, subject_.seconds(), subject_.f * subject_.seconds(),
                       [&](double t) { return subject_.value(t); })});
-    if (folded_ && folded_->alias != folded_->f) {
-      view.add({"d alias", Role::result,
-                path_of(panel_, 0, subject_.seconds(), folded_->alias * subject_.seconds(),
-                        [&](double t) { return subject_.wave(folded_->alias, t); })});
+    if (folded_) {
+      Path back = path_of(panel_, 0, subject_.seconds(), folded_->alias * subject_.seconds(),
+                          [&](double t) { return subject_.wave(folded_->alias, t); });
+      back.dashed = folded_->alias == folded_->f;  // over the sine itself
+      view.add({"d back", Role::result, back});
     }
     for (const Sampled<double>& s : taken_) {
       const bool now = !folded_ && s.k + 1 == std::ssize(taken_);
@@ -149,36 +150,56 @@ class SineStory {
                 Stroke{panel_.at({s.time, 0}), panel_.at({s.time, s.value}), false, !now, true}});
       view.add({"f sample " + id, role, Dot{panel_.at({s.time, s.value})}});
     }
-    add_frequencies(view);
+    add_spectrum(view);
     return view;
   }
-  NumberLine frequencies() const {
-    const double half = 0.5 * subject_.fs, far = std::max(1.15 * std::abs(subject_.f), 0.65 * subject_.fs);
-    return {{2.6, 3.6}, {39.4, 3.6}, subject_.f < 0 ? -far : -1.3 * half, subject_.f < 0 ? 1.3 * half : far};
-  }
-  /// The frequencies in a row: the band between minus and plus half the rate, and the way into it.
-  void add_frequencies(View& view) const {
+  /// As far as the frequency and a copy on each side of the band.
+  double far() const { return std::max(1.3 * std::abs(subject_.f), 1.1 * subject_.fs); }
+  NumberLine frequencies() const { return {{2.6, 2.4}, {39.4, 2.4}, -far(), far()}; }
+  /// The spectrum: a sine has a line at f and one at -f, and samples repeat both at every whole rate. What
+  /// lies in the band between minus and plus half the rate comes back.
+  void add_spectrum(View& view) const {
     const double half = 0.5 * subject_.fs;
     const NumberLine line = frequencies();
-    line.add_to(view, "g", words_.symbol("f"), 8);
-    view.add({"h band", Role::candidate, Stroke{line.at(-half), line.at(half)}});
-    view.add({"i frequency", Role::input, Dot{line.at(subject_.f)}});
-    if (!folded_ || folded_->alias == folded_->f) return;
-    const dvec2 up{0, 1.1};
-    const dvec2 from = line.at(subject_.f), to = line.at(folded_->alias);
-    view.add({"j way", Role::measure, Stroke{from + up, to + up, true}});
-    view.add({"j way name", Role::measure,
-              Text{0.5 * (from + to) + dvec2{0, 2.1},
-                   words_.say("way", {{"rates", rates()}, {"fs", subject_.fs}})}});
-    view.add({"k alias", Role::result, Dot{to}});
+    line.add_to(view, "g", words_.symbol("f"), 10);
+    const dvec2 up{0, line_height};
+    view.add({"h band", Role::guide,
+              Area{{{line.at(-half), line.at(half), line.at(half) + up, line.at(-half) + up}}, 2}});
+    const auto put = [&](const std::string& id, Role role, double f) {
+      view.add({id, role, Stroke{line.at(f), line.at(f) + up, true, false, role == Role::candidate}});
+    };
+    for (const double f : {subject_.f, -subject_.f}) {
+      const auto last = static_cast<int>(std::floor((far() - f) / subject_.fs));
+      for (auto m = static_cast<int>(std::ceil((-far() - f) / subject_.fs)); m <= last; ++m)
+        put(fmt::format("{} line {} {}", m == 0 ? "j" : "i", f < 0, m),
+            m == 0 ? Role::input : Role::candidate, f + m * subject_.fs);
+    }
+    if (!folded_) return;
+    put("k back", Role::result, folded_->alias);
+    put("k back mirrored", Role::result, -folded_->alias);
+    if (folded_->alias != folded_->f) add_way(view, line);
+  }
+  /// From the frequency into the band.
+  void add_way(View& view, const NumberLine& line) const {
+    const dvec2 above{0, line_height + 1};
+    const dvec2 from = line.at(subject_.f) + above, to = line.at(folded_->alias) + above;
+    view.add({"l way", Role::measure, Stroke{from, to, true}});
+    view.add({"l way name", Role::measure,
+              Text{0.5 * (from + to) + dvec2{0, 1},
+                   words_.say(rates() > 0 ? "way" : "way_up",
+                              {{"rates", std::abs(rates())}, {"fs", subject_.fs}})}});
     // The two frequencies beyond the arrow's ends
     const double side = subject_.f < 0 ? -0.7 : 0.7;
-    const auto hertz = [&](double f) { return words_.say("hertz", {{"f", f}}); };
-    view.add({"l frequency", Role::input,
-              Text{from + up + dvec2{side, 0}, hertz(subject_.f), side > 0 ? Align::left : Align::right}});
-    view.add({"l alias", Role::result,
-              Text{to + up - dvec2{side, 0}, hertz(folded_->alias), side > 0 ? Align::right : Align::left}});
+    const auto name = [&](const std::string& id, Role role, dvec2 at, double f, double way) {
+      view.add(
+          {id, role,
+           Text{at + dvec2{way, 0}, words_.say("hertz", {{"f", f}}), way > 0 ? Align::left : Align::right}});
+    };
+    name("m frequency", Role::input, from, subject_.f, side);
+    name("m alias", Role::result, to, folded_->alias, -side);
   }
+
+  static constexpr double line_height = 5;
 
   const Words& words_;
   const Subject subject_;
@@ -198,9 +219,10 @@ inline void tell_sine(Narrator& narrator) {
   narrator.legend({{Role::input, "sine"},
                    {Role::current, "sample"},
                    {Role::accepted, "samples"},
-                   {Role::candidate, "band"},
-                   {Role::measure, "away"},
-                   {Role::result, "alias"}});
+                   {Role::candidate, "copies"},
+                   {Role::guide, "band"},
+                   {Role::result, "back"}});
+  narrator.trace().legend[4].sample = Sample::area;
   SineStory story(narrator.words(), subject);
   story.let_drag(narrator);
   const auto watch = narrator.watcher(story);
