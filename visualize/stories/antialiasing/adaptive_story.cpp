@@ -23,10 +23,10 @@ class Story {
   std::optional<StepNumber> telling() const { return telling_; }
 
   void show(Board& board, const steps::Started&) {
-    paper_.put_frames(base_, words_);
+    paper_.put_frames(base_, words_.say("picture.tinted", {{"samples", subject_.count}}));
     if (everywhere_) {
       open_large();
-      for (const ivec2 p : pixels(subject_.picture())) paper_.put_number(base_, p, subject_.count, true);
+      for (const ivec2 p : pixels(subject_.picture())) paper_.put_tint(base_, p);
     }
     next(board, base_);
   }
@@ -38,7 +38,7 @@ class Story {
 
   void show(Board& board, const Classified& c) {
     if (c.cover != Cover::crossed) return;
-    paper_.put_number(base_, c.pixel, subject_.count, true);
+    paper_.put_tint(base_, c.pixel);
     View view = base_;
     paper_.put_large(view, words_, c.pixel);
     paper_.mark_range(view, crossing(c), range_over(crossing(c), c.pixel));
@@ -63,9 +63,9 @@ class Story {
 
   void show(Board& board, const Compared& c) {
     if (c.order == Order::changing)
-      paper_.put_number(base_, c.pixel, subject_.count, true);
+      paper_.put_tint(base_, c.pixel);
     else
-      paper_.put_number(base_, c.pixel, 1, false);
+      paper_.put_number(base_, c.pixel, 1);
     if (c.order == Order::nearer) paper_.put_pixel(base_, c.pixel, subject_.color(c.triangle));
     View view = base_;
     paper_.put_large(view, words_, c.pixel);
@@ -145,9 +145,7 @@ class Story {
     const Edges edges = triangle_coverage::edges_of(subject_.triangle(c.triangle).corners);
     sum += c.share * subject_.colour(c.triangle, weights_at_place(edges, place_in(c.pixel, c.place)));
     share += c.share;
-    const auto number = fmt::format("n {:02} {:02}", c.pixel.y, c.pixel.x);
-    base_.marks.erase("m" + number);
-    base_.marks.erase(number);
+    paper_.clear_number(base_, c.pixel);
     paper_.put_pixel(base_, c.pixel, on_white(sum, share));
     if (c.pixel != subject_.pixel) return;
     if (!opened_) open_large();
@@ -191,6 +189,7 @@ class Story {
   void open_large() {
     opened_ = true;
     paper_.put_large(base_, words_, subject_.pixel);
+    paper_.put_seen(base_, subject_.pixel);
     paper_.put_samples(base_);
   }
   /// The edge that crosses.
@@ -226,7 +225,7 @@ class ContrastStory {
   void plot(ivec2 p, const dvec3& sum, double share) { paper_.put_pixel(base_, p, on_white(sum, share)); }
 
   void show(Board& board, const steps::Started&) {
-    paper_.put_frames(base_, words_);
+    paper_.put_frames(base_, words_.say("picture"));
     next(board, base_);
   }
   Event say(const steps::Started&) const {
@@ -235,7 +234,7 @@ class ContrastStory {
   void show(Board& board, const Contrasted& c) {
     if (c.refined) {
       refined_ += 1;
-      paper_.put_number(base_, c.pixel, subject_.count, false);
+      paper_.put_number(base_, c.pixel, subject_.count);
     }
     View view = base_;
     paper_.put_large(view, words_, c.pixel);

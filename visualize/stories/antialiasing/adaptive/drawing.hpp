@@ -1,6 +1,6 @@
 #pragma once
-// The drawing: the picture on the left, with how many samples each pixel takes; one pixel, large, on the
-// right, with its samples.
+// The drawing: the picture on the left, with which pixels take all samples; one pixel, large, on the right,
+// with its samples. What lies behind is dashed in both.
 
 #include <algorithm>
 #include <array>
@@ -12,13 +12,14 @@
 
 namespace gradus::adaptive {
 
-/// Cells of the drawing: a large pixel has as many as it takes to give each row of samples one.
+/// Cells of the drawing: a large pixel has as many as it takes to give rows of 4, 8 or 16 samples as many
+/// each.
 class Paper {
  public:
   explicit Paper(const Subject& subject)
       : subject_(subject),
-        side_(std::max(8, subject.count)),
-        zoom_(std::max(1, side_ / 8)),
+        side_(48),
+        zoom_(side_ / 8),
         height_(std::max(side_, zoom_ * subject.size.y)),
         map_{1, 2 * zoom_ + (height_ - zoom_ * subject.size.y) / 2},
         large_{map_.x + zoom_ * subject.size.x + 2 * zoom_, 2 * zoom_ + (height_ - side_) / 2} {}
@@ -27,12 +28,12 @@ class Paper {
     narrator.whole_grid({{0, 0}, {large_.x + side_, 2 * zoom_ + height_}});
   }
 
-  void put_frames(View& view, const Words& words) const {
+  void put_frames(View& view, const std::string& title) const {
     view.plane = true;
     const dvec2 size(zoom_ * subject_.size);
     view.add({"a picture", Role::past, rectangle(dvec2(map_) - 0.5, size)});
-    view.add({"a picture name", Role::guide,
-              Text{dvec2(map_) - 0.5 + dvec2{0.5 * size.x, -0.7 * zoom_}, words.say("picture")}});
+    view.add(
+        {"a picture name", Role::guide, Text{dvec2(map_) - 0.5 + dvec2{0.5 * size.x, -0.7 * zoom_}, title}});
     put_triangles(view, "b", {0, 0}, dvec2(subject_.size), [&](dvec2 p) { return on_map(p); });
   }
   /// The corners that the picture shows, on the grid of 1/256 pixel.
@@ -59,6 +60,17 @@ class Paper {
                   [&](dvec2 p) { return in_large(p - dvec2(pixel)); });
     put_pierced(view, pixel);
   }
+  /// What is seen in the pixel, pale: samples are to find it out.
+  void put_seen(View& view, ivec2 pixel) const {
+    for (ivec2 at{0, 0}; at.y < side_; ++at.y) {
+      for (at.x = 0; at.x < side_; ++at.x) {
+        const int face = seen_at(dvec2(pixel) + (dvec2(at) + 0.5) / double(side_));
+        if (face == nobody) continue;
+        view.cells.insert_or_assign({large_.y + at.y, large_.x + at.x},
+                                    CellLook{Role::result, "", tone_on_paper(subject_.color(face), 0.3)});
+      }
+    }
+  }
   /// The rings of samples that show nothing yet.
   void put_samples(View& view) const {
     for (std::size_t s = 0; s < subject_.places.size(); ++s)
@@ -73,13 +85,14 @@ class Paper {
         view.cells.insert_or_assign({at.y + y, at.x + x}, CellLook{Role::result, "", color});
     view.marks.erase(fmt::format("s {:02}", s));
   }
-  void clear_samples(View& view) const {
-    for (int y = 0; y < side_; ++y)
-      for (int x = 0; x < side_; ++x) view.cells.erase({large_.y + y, large_.x + x});
-  }
   void mark_sample(View& view, std::size_t s, Role role) const {
     const double cells = static_cast<double>(side_) / subject_.count;
     view.add({"z sample", role, rectangle(sample(s) - 0.5 * cells, dvec2(cells))});
+    // Above it, in the upper row below
+    const double beside = 0.5 * cells + 2;
+    const bool upper = sample(s).y < large_.y + cells;
+    view.add({"z sample name", role,
+              Text{sample(s) + dvec2{0, upper ? beside : -beside}, fmt::format("{}", s + 1)}});
   }
   void mark_place(View& view, ivec2 place) const {
     view.add({"z place", Role::current, Dot{in_large(dvec2(place) / double{subpixels})}});
@@ -111,11 +124,18 @@ class Paper {
         view.cells.insert_or_assign({at.y + y, at.x + x}, CellLook{Role::result, "", color});
   }
   /// How many samples the pixel takes.
-  void put_number(View& view, ivec2 pixel, int number, bool all) const {
-    const std::string id = fmt::format("n {:02} {:02}", pixel.y, pixel.x);
-    view.add(
-        {id, all ? Role::measure : Role::guide, Text{on_map(dvec2(pixel) + 0.5), fmt::format("{}", number)}});
-    if (all) view.add({"m" + id, Role::measure, Area{{square_on_map(pixel).points}, 3}});
+  void put_number(View& view, ivec2 pixel, int number) const {
+    view.add({number_id(pixel), Role::guide, Text{on_map(dvec2(pixel) + 0.5), fmt::format("{}", number)}});
+  }
+  /// It takes all of them.
+  void put_tint(View& view, ivec2 pixel) const {
+    view.add({"m" + number_id(pixel), Role::measure, Area{{square_on_map(pixel).points}, 3}});
+    view.marks.erase(number_id(pixel));
+  }
+  /// Its colour is to be seen.
+  void clear_number(View& view, ivec2 pixel) const {
+    view.marks.erase("m" + number_id(pixel));
+    view.marks.erase(number_id(pixel));
   }
   void mark_pixel(View& view, ivec2 pixel, Role role) const {
     view.add({"z pixel", role, square_on_map(pixel)});
@@ -125,6 +145,7 @@ class Paper {
   static Path rectangle(dvec2 corner, dvec2 size) {
     return {{corner, corner + dvec2{size.x, 0}, corner + size, corner + dvec2{0, size.y}}, true};
   }
+  static std::string number_id(ivec2 pixel) { return fmt::format("n {:02} {:02}", pixel.y, pixel.x); }
   dvec2 on_map(dvec2 place) const { return dvec2(map_) - 0.5 + static_cast<double>(zoom_) * place; }
   dvec2 in_large(dvec2 place) const { return dvec2(large_) - 0.5 + static_cast<double>(side_) * place; }
   dvec2 sample(std::size_t s) const { return in_large(dvec2(subject_.places[s]) / double{subpixels}); }
@@ -139,12 +160,44 @@ class Paper {
         std::vector<dvec2> side{ring[k], ring[(k + 1) % 3]};
         const auto part = shown_part({lower, upper}, side[0], side[1]);
         if (!part || part->a == part->b) continue;
-        view.add({fmt::format("{} {} {}", id, i, k), Role::input, Stroke{place(part->a), place(part->b)}});
+        put_side(view, fmt::format("{} {} {}", id, i, k), i, *part, place);
       }
       if (id == "d")
         view.add(
             {fmt::format("t name {}", i), Role::input, Text{place(free_place(i, lower)), subject_.name(i)}});
     }
+  }
+  /// A part of a triangle's side, dashed where another triangle lies before it.
+  template <class Place>
+  void put_side(View& view, const std::string& id, int i, const Stroke& part, const Place& place) const {
+    constexpr int pieces = 48;
+    const auto along = [&](double k) { return part.a + k / pieces * (part.b - part.a); };
+    const auto behind = [&](int k) { return is_behind(i, along(k + 0.5)); };
+    for (int from = 0, to = 0; from < pieces; from = to) {
+      const bool hidden = behind(from);
+      while (++to < pieces && behind(to) == hidden) {
+      }
+      view.add({fmt::format("{} {:02}", id, from), Role::input,
+                Stroke{place(along(from)), place(along(to)), false, hidden, hidden}});
+    }
+  }
+  bool covers(int i, dvec2 p) const {
+    const Edges edges = triangle_coverage::edges_of(subject_.triangle(i).corners);
+    return std::ranges::all_of(edges, [&](const Edge& e) { return at(e, p) > 0; });
+  }
+  bool is_behind(int i, dvec2 p) const {
+    for (int k = 0; k < static_cast<int>(subject_.triangles.size()); ++k) {
+      if (k != i && covers(k, p) && depth(k, p) < depth(i, p) - 1e-9) return true;
+    }
+    return false;
+  }
+  /// The nearest triangle there, or nobody.
+  int seen_at(dvec2 p) const {
+    int seen = nobody;
+    for (int i = 0; i < static_cast<int>(subject_.triangles.size()); ++i) {
+      if (covers(i, p) && (seen == nobody || depth(i, p) < depth(seen, p))) seen = i;
+    }
+    return seen;
   }
   struct Side {
     Edge edge;
@@ -162,7 +215,7 @@ class Paper {
     }
     return all;
   }
-  /// A place for a triangle's name in a pixel: in the triangle, far from edges and samples.
+  /// A place for a triangle's name in a pixel: where it is seen, far from edges and samples.
   dvec2 free_place(int triangle, dvec2 pixel) const {
     constexpr int steps = 24;
     const std::vector<Sides> all = sides();
@@ -171,13 +224,11 @@ class Paper {
     for (int k = 0; k < steps * steps; ++k) {
       const dvec2 part = (dvec2(k % steps, k / steps) + 0.5) / double{steps}, p = pixel + part;
       double far = std::min({part.x, part.y, 1 - part.x, 1 - part.y});
-      bool alone = true;
       for (int i = 0; i < static_cast<int>(all.size()); ++i) {
         double least = 1e9;
         for (const auto& [edge, length] : all[static_cast<std::size_t>(i)])
           least = std::min(least, at(edge, p) / length);
         if (i == triangle && least < 0) far = -1;
-        if (i != triangle && least > 0) alone = false;
         far = std::min(far, std::abs(least));
       }
       for (const ivec2 s : subject_.places) {
@@ -185,7 +236,7 @@ class Paper {
         // Lengths take long, and most samples are farther by far
         if (std::max(std::abs(way.x), std::abs(way.y)) < 1.001 * far) far = std::min(far, length_of(way));
       }
-      if (alone && far > 0.06) far += 1;
+      if (far > 0.06 && far + 1 > farthest && seen_at(p) == triangle) far += 1;
       if (far <= farthest) continue;
       farthest = far;
       best = p;
