@@ -13,14 +13,28 @@
 namespace gradus {
 namespace {
 
-/// The texts of the row of cells above a maze, from the left.
-std::vector<std::string> shelf(const Trace& trace, const Canvas& canvas) {
-  const Window& cells = trace.grid.cells;
+/// The texts of the row of boxes above a maze, from the left.
+std::vector<std::string> shelf(const Canvas& canvas) {
   std::vector<std::string> texts;
-  for (ivec2 p = cells.lower; p.x <= cells.upper.x; ++p.x) {
-    if (const auto look = canvas.at(p)) texts.push_back(look->text);
+  for (const auto& [id, mark] : canvas.marks()) {
+    const Text* text = std::get_if<Text>(&mark.shape);
+    if (text && id.starts_with("shelf ")) texts.push_back(text->text);
   }
   return texts;
+}
+/// Their boxes, from the left, each with its own text in its middle.
+std::vector<std::vector<dvec2>> boxes(const Canvas& canvas) {
+  std::vector<std::vector<dvec2>> found;
+  for (const auto& [id, mark] : canvas.marks()) {
+    const Path* path = std::get_if<Path>(&mark.shape);
+    if (!path || !id.starts_with("shelf ")) continue;
+    const std::vector<dvec2>& ring = found.emplace_back(path->points);
+    const auto text = canvas.marks().find(id + " text");
+    EXPECT_TRUE(text != canvas.marks().end() &&
+                std::get<Text>(text->second.shape).at == 0.5 * (ring[0] + ring[2]))
+        << id;
+  }
+  return found;
 }
 
 /// What a method says waits, told alone: its entries after each step, the one that leaves next at `front`.
@@ -56,12 +70,20 @@ TEST(FillStory, TheShelfHoldsWhatWaits) {
     const Trace trace = test::trace_of("flood_fill", {{"method", method}});
     Waiting waiting{{}, queue};
     Playhead playhead(trace);
-    constexpr int of_title = 3;
+    const std::size_t room = static_cast<std::size_t>(trace.grid.cells.width() * 2 / 3);  // for "3,4"
     std::size_t most = 0;
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
       waiting.follow(trace.steps[i]);
-      const auto expected = waiting.shown(static_cast<std::size_t>(trace.grid.cells.width() - of_title));
-      EXPECT_EQ(shelf(trace, playhead.at(i)), expected) << i;
+      const auto expected = waiting.shown(room);
+      EXPECT_EQ(shelf(playhead.at(i)), expected) << i;
+      const std::vector<std::vector<dvec2>> drawn = boxes(playhead.at(i));
+      ASSERT_EQ(drawn.size(), expected.size()) << i;
+      for (std::size_t k = 0; k < drawn.size(); ++k) {
+        const dvec2 from = drawn[k][0], to = drawn[k][2];
+        EXPECT_LE(to.x, trace.grid.cells.upper.x + 0.5);
+        EXPECT_LE(to.y, trace.grid.cells.lower.y + 0.5);
+        EXPECT_GT(from.x, k == 0 ? trace.grid.cells.lower.x - 0.5 : drawn[k - 1][2].x);
+      }
       EXPECT_EQ(playhead.at(i).marks().contains("next out"), !expected.empty());
       most = std::max(most, waiting.entries.size());
     }
@@ -80,7 +102,7 @@ TEST(FillStory, SpansThatWaitPointAtTheirRows) {
       if (!id.starts_with("waiting span")) continue;
       rows.push_back(fmt::format("{}", std::lround(std::get<Stroke>(mark.shape).b.y)));
     }
-    EXPECT_EQ(shelf(trace, playhead.at(i)), rows) << i;
+    EXPECT_EQ(shelf(playhead.at(i)), rows) << i;
     seen += rows.size();
   }
   EXPECT_GT(seen, 20u);

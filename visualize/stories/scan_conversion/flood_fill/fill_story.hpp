@@ -78,8 +78,10 @@ class Story {
     numbers_ = Raster<std::int64_t>(subject.image().width(), subject.image().height(), none);
     if (shelf_rows(subject) == 0) return;
     const Window cells = shown_cells(subject);
-    shelf_ = Shelf(cells.lower, static_cast<int>(cells.width()), way.queue(),
-                   words.say(fmt::format("shelf.{}", way.waiting)),
+    // A pixel's column and row, or the row alone of a span that is to be looked at
+    const std::string row = fmt::format("{}", cells.upper.y);
+    const std::string entry = way.column.empty() ? row : fmt::format("{},{}", cells.upper.x, row);
+    shelf_ = Shelf(cells.lower, static_cast<int>(cells.width()), entry.size(), way.queue(),
                    words.say(fmt::format("next.{}", way.waiting)));
   }
   /// The pixels painted, in order, as far as a trace keeps steps.
@@ -352,7 +354,6 @@ class Story {
     if (subject_.window) board.keep("window", Role::measure, border(*subject_.window));
     const ivec2 seed = subject_.seed;
     focus_ = cell_of(seed);
-    shelf_.begin(board);
     if (!shown_cells(subject_).contains(seed)) return;
     if (subject_.is_maze) board.keep("seed frame", Role::input, border({seed, seed}));
     board.keep("seed", Role::input, Dot{dvec2(seed)});
