@@ -23,7 +23,9 @@ class OverviewLayout {
     const double ratio = static_cast<double>(all.width()) / static_cast<double>(all.height());
     const double most_width = (at_.beside ? 1 : 0.55) * at_.inset.width;
     const bool captions = !at_.beside || at_.inset.height > 160 * s_;
-    const double height = std::min(at_.inset.height - (at_.beside && captions ? 90 * s_ : 0), 150 * s_);
+    const double most_height = trace_.grid.picture ? at_.inset.height : 150 * s_;
+    aside_ = !at_.beside || (trace_.grid.picture && at_.inset.width - at_.inset.height * ratio > 160 * s_);
+    const double height = std::min(at_.inset.height - (!aside_ && captions ? 90 * s_ : 0), most_height);
     Box whole{at_.inset.x, at_.inset.y, height * ratio, height};
     if (whole.width > most_width) {
       whole.width = most_width;
@@ -47,6 +49,10 @@ class OverviewLayout {
         if (path->closed) points.push_back(points.front());
         draw_overview_chain(mark, points, whole);
       }
+    }
+    for (const auto& [id, mark] : figure_.canvas->marks()) {
+      if (const Dot* dot = std::get_if<Dot>(&mark.shape))
+        pen_.disc("overview " + id, disc_at(to_whole(dot->at), mark_paint(trace_, mark), dot->ring, s_));
     }
     const Window& view = frame_.view;
     const dvec2 a = to_whole({view.lower.x - 0.5, view.lower.y - 0.5});
@@ -75,7 +81,7 @@ class OverviewLayout {
 
   void draw_overview_cells(const Box& whole) {
     const Window all = trace_.grid.own();
-    constexpr int most = 208;  // samples per side: twice the pixels it has at 720 lines
+    const int most = trace_.grid.picture ? 512 : 208;  // samples per side: more than it has at 720 lines
     if (!trace_.grid.picture && static_cast<double>(all.width()) * static_cast<double>(all.height()) > 4e6)
       return;
     const int width = static_cast<int>(std::min<std::int64_t>(all.width(), most));
@@ -109,9 +115,9 @@ class OverviewLayout {
   void caption_overview(const Box& whole) {
     const Window all = trace_.grid.own();
     const Window& view = frame_.view;
-    const double x = at_.beside ? at_.inset.x : whole.right() + 14 * s_;
+    const double x = aside_ ? whole.right() + 14 * s_ : at_.inset.x;
     const double room = at_.inset.right() - x;
-    double y = at_.beside ? whole.bottom() + 24 * s_ : whole.y + 20 * s_;
+    double y = aside_ ? whole.y + 20 * s_ : whole.bottom() + 24 * s_;
     const auto fits = [&](const std::string& text) {
       return text_width(text, Face::sans, text_size * s_) <= room;
     };
@@ -137,6 +143,7 @@ class OverviewLayout {
   double s_;
   const Scene& at_;
   const Frame& frame_;
+  bool aside_ = false;  ///< words stand beside the small picture, not below it
   std::vector<Box> texts_;
 };
 

@@ -256,6 +256,12 @@ std::optional<Fit> fit_of_part(Stage stage, double width, double height) {
   return best.cell < stage.easy_cell ? std::nullopt : std::optional(best);
 }
 
+/// A picture is looked at itself: its overview is as wide as the view beside it.
+bool shows_picture(const Stage& stage) { return stage.axes && stage.axes->picture; }
+double inset_width_of(const Stage& stage, double width) {
+  return shows_picture(stage) ? std::max(inset_width, (width - inset_column_gap) / 2) : inset_width;
+}
+
 }  // namespace
 
 std::optional<Fit> fit(const Stage& stage, double width, double height) {
@@ -277,13 +283,14 @@ std::optional<Fit> fit(const Stage& stage, double width, double height) {
                   false,
                   margins};
   const Fit beside{followed_cell,
-                   count(across - inset_width - inset_column_gap, stage.own.width()),
+                   count(across - inset_width_of(stage, width) - inset_column_gap, stage.own.width()),
                    count(up, stage.own.height()),
                    true,
                    true,
                    margins};
   const auto cells = [](const Fit& f) { return static_cast<double>(f.columns * f.rows); };
-  const Fit& better = cells(beside) > 1.25 * cells(above) ? beside : above;
+  const double worth = shows_picture(stage) ? 0.3 : 1.25;
+  const Fit& better = cells(beside) > worth * cells(above) ? beside : above;
   return cells(better) > 0 ? std::optional(better) : std::nullopt;
 }
 
@@ -307,8 +314,9 @@ Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const
   scene.beside = shown->beside;
   Box box = slot;
   if (scene.beside) {
-    box.width -= (inset_width + inset_column_gap) * s;
-    scene.inset = {slot.right() - inset_width * s, slot.y + margins.above * s, inset_width * s,
+    const double inset = inset_width_of(stage, slot.width / s) * s;
+    box.width -= inset + inset_column_gap * s;
+    scene.inset = {slot.right() - inset, slot.y + margins.above * s, inset,
                    slot.height - (margins.above + margins.below) * s};
   } else if (scene.follows) {
     scene.inset = {box.x, box.y + 4 * s, box.width, inset_height * s};

@@ -49,7 +49,9 @@ void set_scene(Narrator& narrator, const Subject& subject, const Way& way, Rgba8
     narrator.columns(std::move(columns));
   }
   const std::string_view counts = way.column.empty() ? "runs" : name_of(way.counts);
-  const std::string past = subject.is_maze ? fmt::format("past.{}", counts) : "past";
+  const std::string past = subject.is_maze             ? fmt::format("past.{}", counts)
+                           : shows_waves(subject, way) ? "past.waves"
+                                                       : "past";
   narrator.legend({{Role::input, "seed"},
                    Role::current,
                    {Role::candidate, fmt::format("candidate.{}", way.waiting)},

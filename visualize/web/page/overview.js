@@ -11,10 +11,17 @@ class Overview {
   box() {
     const {grid} = this.drawing.run.trace, {s, inset, follows} = this.drawing.at, beside = follows === 'beside';
     const ratio = (grid.upper[0] - grid.lower[0] + 1) / (grid.upper[1] - grid.lower[1] + 1);
-    const below = beside && this.captioned() ? 90 * s : 0;
+    const below = !this.aside() && this.captioned() ? 90 * s : 0;
     const most = beside ? inset.width : Math.min(0.55 * inset.width, inset.width - this.captionWidth() - 24 * s);
-    const height = Math.min(inset.height - below, 150 * s, Math.max(most, 40 * s) / ratio);
+    const high = grid.picture ? inset.height : 150 * s;
+    const height = Math.min(inset.height - below, high, Math.max(most, 40 * s) / ratio);
     return {x: inset.x, y: inset.y, width: Math.max(height * ratio, 6 * s), height: Math.max(height, 6 * s)};
+  }
+  /** Whether words stand beside it, not below. */
+  aside() {
+    const {grid} = this.drawing.run.trace, {s, inset, follows} = this.drawing.at;
+    const ratio = (grid.upper[0] - grid.lower[0] + 1) / (grid.upper[1] - grid.lower[1] + 1);
+    return follows !== 'beside' || (!!grid.picture && inset.width - inset.height * ratio > 160 * s);
   }
   captionWidth() { return Math.max(...this.lines().map((text) => textWidth(text, TEXT * this.drawing.at.s))); }
   /** Whether there is room for words; the axes say it, too. */
@@ -31,8 +38,8 @@ class Overview {
   }
   caption() {
     if (!this.captioned()) return [];
-    const {s, inset, follows} = this.drawing.at, box = this.box(), beside = follows === 'beside';
-    const x = beside ? inset.x : box.x + box.width + 14 * s, y = beside ? box.y + box.height + 24 * s : box.y + 20 * s;
+    const {s, inset} = this.drawing.at, box = this.box(), aside = this.aside();
+    const x = aside ? box.x + box.width + 14 * s : inset.x, y = aside ? box.y + 20 * s : box.y + box.height + 24 * s;
     return this.lines().map((text, i) => this.drawing.stillText(text, x, y + 28 * i * s, 'start'));
   }
   draw() {

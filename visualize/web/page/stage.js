@@ -176,8 +176,12 @@ class Stage {
       rows: count(room.y, all.rows)
     });
     const above = followed('above', {x: across, y: up - INSET - INSET_GAP});
-    const beside = followed('beside', {x: across - INSET_WIDTH - INSET_COLUMN_GAP, y: up});
-    return beside.columns * beside.rows > 1.25 * above.columns * above.rows ? beside : above;
+    const beside = followed('beside', {x: across - this.insetWidth(width) - INSET_COLUMN_GAP, y: up});
+    return beside.columns * beside.rows > (this.grid.picture ? 0.3 : 1.25) * above.columns * above.rows ? beside : above;
+  }
+  /** Of an overview beside the view: a picture is looked at itself. */
+  insetWidth(width) {
+    return this.grid.picture ? Math.max(INSET_WIDTH, (width - INSET_COLUMN_GAP) / 2) : INSET_WIDTH;
   }
 }
 
@@ -196,11 +200,12 @@ function arrange(stage, width, height, unit, focus) {
   const room = {x: 0, y: 0, width, height};
   let inset = null, view = stage.cells, origin = stage.lower, size = stage.size;
   if (follows === 'beside') {
-    room.width -= (INSET_WIDTH + INSET_COLUMN_GAP) * s;
+    const across = stage.insetWidth(width / s) * s;
+    room.width -= across + INSET_COLUMN_GAP * s;
     inset = {
-      x: width - INSET_WIDTH * s,
+      x: width - across,
       y: margins.above * s,
-      width: INSET_WIDTH * s,
+      width: across,
       height: height - (margins.above + margins.below) * s
     };
   } else if (follows) {

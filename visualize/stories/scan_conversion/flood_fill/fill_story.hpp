@@ -59,6 +59,14 @@ inline Window shown_cells(const Subject& subject) {
   return cells;
 }
 
+/// Whether a fill in waves colours an image by the distance from the seed: where it is not too large for
+/// that.
+inline bool shows_waves(const Subject& subject, const Way& way) {
+  constexpr std::int64_t most_pixels = std::int64_t{1} << 22;
+  const Image& image = subject.image();
+  return !subject.is_maze && way.queue() && std::int64_t{image.width()} * image.height() <= most_pixels;
+}
+
 /// "above (3, 4)": where a neighbour lies, rows counting downwards.
 inline std::string place(const Words& words, ivec2 from, ivec2 to) {
   constexpr std::string_view keys[3][3] = {{"place.above_left", "place.above", "place.above_right"},
@@ -74,6 +82,8 @@ class Story {
   /// paint: what the pixels of an image become.
   Story(const Words& words, const Subject& subject, const Way& way, Rgba8 paint)
       : words_(words), subject_(subject), way_(way), paint_(paint) {
+    if (shows_waves(subject, way))
+      waves_ = Raster<std::int32_t>(subject.image().width(), subject.image().height());
     if (!subject.is_maze) return;
     numbers_ = Raster<std::int64_t>(subject.image().width(), subject.image().height(), none);
     if (shelf_rows(subject) == 0) return;
@@ -134,6 +144,8 @@ class Story {
     leaks_ = leaks(cell.y, cell.x, cell.x);
     if (leaks_) board.tells(1);
     ++painted_;
+    if (waves_.contains(cell) && waves_.contains(p.from) && p.from != p.pixel)
+      waves_[cell] = waves_[p.from] + 1;
     number(board, cell,
            way_.calls()    ? static_cast<std::int64_t>(p.waiting)
            : !way_.queue() ? painted_
@@ -390,7 +402,17 @@ class Story {
     const std::int64_t number = numbers_.contains(p) ? numbers_[p] : none;
     const bool painted = !subject_.is_maze && role == Role::past;
     board.put(p, role, number == none ? "" : figure_number(number),
-              painted ? std::optional(paint_) : std::nullopt);
+              painted ? std::optional(paint_at(p)) : std::nullopt);
+  }
+  /// In waves it gets lighter for 32 moves away from the seed, then darker again.
+  Rgba8 paint_at(ivec2 p) const {
+    if (!waves_.contains(p)) return paint_;
+    constexpr int half = 32, most = 43;  // at the lightest three quarters are white
+    const int part = half - std::abs(waves_[p] % (2 * half) - half);
+    const auto lighter = [&](std::uint8_t c) {
+      return static_cast<std::uint8_t>(c + (255 - c) * part / most);
+    };
+    return {lighter(paint_.r), lighter(paint_.g), lighter(paint_.b), 255};
   }
   void number(Board& board, ivec2 cell, std::int64_t value) {
     if (!numbers_.contains(cell)) return;
@@ -450,6 +472,7 @@ class Story {
   bool leaks_ = false;  ///< the last painted, through a gap between corners
   std::optional<SeedRead> read_;
   static constexpr std::int64_t none = -1;
+  Raster<std::int32_t> waves_;    ///< moves from the seed to the pixels of an image, where waves are shown
   Raster<std::int64_t> numbers_;  ///< of each cell of a maze, as the way counts; none before it is painted
   Shelf shelf_;
 };
