@@ -183,15 +183,18 @@ class DiscStory {
 /// Of several candidates the farthest.
 class CandidateStory {
  public:
-  explicit CandidateStory(const Words& words) : words_(words), sheet_({dvec2(1), true}, 0.05) {}
+  /// half: how many samples there are when the figure that tells most is drawn.
+  CandidateStory(const Words& words, int half) : words_(words), sheet_({dvec2(1), true}, 0.05), half_(half) {}
 
-  double least() const { return least_; }
+  /// The best of all candidates in the middle of the run.
+  StepNumber telling() const { return telling_; }
 
   void show(Board& board, const Started&) { put(board, true); }
   Event say(const Started&) const { return {.text = "candidates.started"}; }
 
   void show(Board& board, const Compared& c) {
     compared_.push_back(c);
+    if (c.best && std::ssize(samples_) == half_) telling_ = {half_, static_cast<int>(compared_.size())};
     put(board, false);
   }
   Event say(const Compared& c) const {
@@ -281,6 +284,8 @@ class CandidateStory {
 
   const Words& words_;
   Sheet sheet_;
+  const int half_;
+  StepNumber telling_{};
   std::vector<dvec2> samples_;
   std::vector<Compared> compared_;
   double least_ = std::numeric_limits<double>::infinity();
@@ -374,10 +379,9 @@ void tell_candidates(Narrator& narrator) {
                    {Role::candidate, "candidate"},
                    {Role::accepted, "farthest"},
                    {Role::result, "disc"}});
-  CandidateStory story(narrator.words());
+  CandidateStory story(narrator.words(), half);
   best_candidate(samples, candidates, numbers_of(given), narrator.watcher(story));
-  // All candidates of a sample in the middle of the run
-  narrator.telling({half, half * candidates});
+  narrator.telling(story.telling());
   narrator.result({{"samples", std::ssize(samples)}});
 }
 
