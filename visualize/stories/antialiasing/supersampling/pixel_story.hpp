@@ -27,12 +27,14 @@ class PixelStory {
   void show(Board& board, const Started& s) {
     heaviest_ = 0;
     total_ = 0;
+    put_scene();
     for (const auto& [at, weight] : kernel_of(s.filter, s.n).cells) {
       heaviest_ = std::max(heaviest_, weight);
       total_ += weight;
       ++cells_;
+      const dvec2 place = place_of(subject_.pixel * s.n + at, s.n);
+      base_.add({id_of(place), Role::guide, Dot{panel_.at(place), true}});  // to come
     }
-    put_scene();
     put_gauge(base_, 0);
     board.milestone(base_);
   }
@@ -157,9 +159,10 @@ class PixelStory {
     }
     view.add({"g value", Role::result, Text{{gauge_x + 0.5 * gauge_width, 26.2}, figure_real(share)}});
   }
+  static std::string id_of(dvec2 place) { return fmt::format("s {} {}", place.y, place.x); }
   /// A sample: a square as large as its weight, filled or not as its place is inside or not.
   void put_sample(View& view, dvec2 place, double weight, Role role, bool in) const {
-    const std::string id = fmt::format("s {} {}", place.y, place.x);
+    const std::string id = id_of(place);
     if (subject_.filter != Filter::box) {
       const double part = 0.92 * std::sqrt(weight / heaviest_);
       const Path square = square_at(place, part);
