@@ -434,7 +434,7 @@ const TopicEntry& entry() {
                              "two places of the scene's edge, in the pixel from 0 to 1, y down; the scene "
                              "lies on the right of the way",
                              xy, {1e-6, 1000}),
-                      choice("scene", {"grating", "zone_plate"}, "grating", "zone_plate",
+                      choice("scene", {"plane", "grating", "zone_plate"}, "plane", "zone_plate",
                              "what the pictures show")},
        .examples = {"--samples 9 --seed 7", "--method correlated_multi_jittered", "--method all_patterns",
                     "--method pictures --samples 4 --scene zone_plate"}});

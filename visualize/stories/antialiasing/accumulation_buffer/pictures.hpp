@@ -1,91 +1,56 @@
 #pragma once
-// The same fan of slivers with 1, 4, 16 and 64 passes beside each other.
+// One chequered plane in four strips, with 1, 2, 8 and 32 passes.
 
 #include <array>
 #include <utility>
 
 #include "stories/antialiasing/accumulation_buffer/subject.hpp"
+#include "stories/antialiasing/chequered_plane.hpp"
 #include "stories/picture_shelf.hpp"
 
 namespace gradus::accumulation_buffer {
 
-/// Slivers from one corner of a picture to the other two sides.
-struct Fan {
-  static constexpr ivec2 size{15, 15};
-  static constexpr int slivers = 6;
+/// The whole plane with a x b passes.
+inline Picture plane_by(ivec2 grid) {
+  const ChequeredPlane plane{{96, 36}};
+  Picture picture{plane.size};
+  const auto render = [&](dvec2 place, const Sums<double>& plot) { draw(plane.size, place, plane, plot); };
+  accumulate(grid, render, picture.sums());
+  return picture;
+}
 
-  static Corners sliver(int k) {
-    const dvec2 hub{0.4, 14.6};
-    const auto rim = [&](double part) {
-      const double turn = 1.5707963267948966 * part;
-      return hub + 16.0 * dvec2{gradus::cos(turn), -gradus::sin(turn)};
-    };
-    const double from = (k + 0.4) / slivers;
-    return {hub, rim(from), rim(from + 0.22 / slivers)};
+/// By how much pixels are off at most, and on average.
+inline std::pair<double, double> errors_of(const Picture& picture, const Picture& right) {
+  double worst = 0, sum = 0;
+  for (std::size_t i = 0; i < picture.values.size(); ++i) {
+    const double off = std::abs(picture.values[i] - right.values[i]);
+    sum += off;
+    worst = std::max(worst, off);
   }
-  static double colour(dvec2 place) {
-    for (int k = 0; k < slivers; ++k) {
-      if (holds(sliver(k), place)) return 1;
-    }
-    return 0;
-  }
-  /// The exact area of the slivers in a pixel: they touch in the hub alone.
-  static double area(ivec2 pixel) {
-    double area = 0;
-    for (int k = 0; k < slivers; ++k) area += area_of(part_in(sliver(k), pixel));
-    return area;
-  }
-  /// With side x side passes.
-  static Picture accumulated(int side) {
-    Picture picture{size};
-    const auto render = [&](dvec2 place, const Sums<double>& plot) { draw(size, place, colour, plot); };
-    accumulate({side, side}, render, picture.sums());
-    return picture;
-  }
-  /// What of a sliver lies in the picture.
-  static std::vector<dvec2> inside(const Corners& sliver) {
-    std::vector<dvec2> scaled;
-    for (const dvec2 p : sliver) scaled.push_back(p / dvec2(size));
-    std::vector<dvec2> part = ring_within(scaled, dvec2(0), dvec2(1));
-    for (dvec2& p : part) p *= dvec2(size);
-    return part;
-  }
-  /// By how much the pixels are off at most, and on average.
-  static std::pair<double, double> errors_of(const Picture& picture) {
-    double worst = 0, sum = 0;
-    for (ivec2 p{0, 0}; p.y < size.y; ++p.y) {
-      for (p.x = 0; p.x < size.x; ++p.x) {
-        const double off = std::abs(picture.at(p) - area(p));
-        sum += off;
-        worst = std::max(worst, off);
-      }
-    }
-    return {worst, sum / static_cast<double>(picture.values.size())};
-  }
-};
+  return {worst, sum / static_cast<double>(picture.values.size())};
+}
 
 inline void tell_side_by_side(Narrator& narrator) {
   const Words& words = narrator.words();
-  constexpr std::array sides{1, 2, 4, 8};
-  narrator.subtitle("pictures.subtitle", {{"columns", Fan::size.x}, {"rows", Fan::size.y}});
+  constexpr std::array<ivec2, 4> grids{{{1, 1}, {2, 1}, {4, 2}, {8, 4}}};
+  const Picture right = plane_by({16, 16});
+  const ivec2 strip{right.size.x / static_cast<int>(grids.size()), right.size.y};
+  narrator.subtitle("pictures.subtitle", {{"columns", right.size.x}, {"rows", right.size.y}});
   narrator.columns({{"passes"}, {"greys"}, {"worst"}, {"mean_error"}});
-  narrator.legend({{Role::past, "slivers"}});
   std::vector<std::string> names;
-  for (const int side : sides) names.push_back(words.count("heading.passes", side * side));
-  PictureShelf shelf(narrator, {.size = Fan::size, .names = names, .row = 2, .heading = 2});
-  shelf.frame(Role::guide);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    for (int s = 0; s < Fan::slivers; ++s) shelf.wait(k, Role::past, Fan::inside(Fan::sliver(s)));
-  }
-  shelf.start({.text = "pictures.started", .words = {{"slivers", Fan::slivers}}, .key = "started"});
+  for (const ivec2 grid : grids) names.push_back(figure_number(grid.x * grid.y));
+  PictureShelf shelf(narrator, {.size = strip, .names = names, .gap = 1, .heading = 7});
+  shelf.frame(Role::past);
+  shelf.start({.text = "pictures.started", .key = "started"});
   std::vector<double> means;
-  for (const int side : sides) {
-    const std::int64_t passes = std::int64_t{side} * side;
-    const Picture picture = Fan::accumulated(side);
-    const auto [worst, mean] = Fan::errors_of(picture);
+  for (const ivec2 grid : grids) {
+    const std::int64_t passes = std::int64_t{grid.x} * grid.y;
+    const Picture picture = plane_by(grid);
+    const auto [worst, mean] = errors_of(picture, right);
     const double before = means.empty() ? 0 : means.back();
+    const ivec2 from{static_cast<int>(means.size()) * strip.x, 0};
     means.push_back(mean);
-    shelf.show("PictureAccumulated", 0, [&](ivec2 p) { return tone_of(Frame::shade(picture.at(p))); },
+    shelf.show("PictureAccumulated", 0, [&](ivec2 p) { return tone_of(picture.at(from + p)); },
                {.text = passes == 1 ? "pictures.one" : "pictures.more",
                 .facts = {{"passes", passes}, {"worst", worst}, {"mean_error", mean}},
                 .words = {{"greys", passes + 1}, {"error", mean}, {"before", before}},

@@ -1,14 +1,17 @@
 #pragma once
-// Patterns beside each other: on one pixel, and in pictures of what is too fine for a regular one.
+// Patterns beside each other: on one pixel with their power spectra, and in pictures of what is too fine for
+// a regular one.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "core/arithmetic/elementary.hpp"
 #include "figure/tone_of.hpp"
+#include "stories/antialiasing/chequered_plane.hpp"
 #include "stories/antialiasing/jittered/drawing.hpp"
 #include "stories/picture_shelf.hpp"
 
@@ -40,12 +43,49 @@ constexpr std::string_view name_of(Pattern pattern) {
 
 // --- Six patterns on one pixel
 
-/// A pattern's samples, and its error over many edges.
+/// A pattern's samples, its error over many edges, and its power spectrum.
 struct PatternShown {
   Pattern pattern;
   std::vector<dvec2> samples;
   double rmse;
+  std::vector<double> power;
 };
+
+/// Frequencies of a spectrum: so many cycles a pixel either way along both axes, row by row.
+inline constexpr int reach = 10, spectrum_side = 2 * reach + 1;
+
+/// Adds to a spectrum what one pixel's samples have at each frequency: |sum of exp(-2 pi i f s)|^2.
+inline void add_power(std::span<const dvec2> samples, std::vector<double>& power) {
+  std::vector<dvec2> sums(power.size(), dvec2(0));  // real and imaginary parts
+  const auto times = [](dvec2 a, dvec2 b) { return dvec2{a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; };
+  const auto turn = [](double part) {
+    const SinCos at = sin_cos(-2 * 3.14159265358979323846 * part);
+    return dvec2{at.cos, at.sin};
+  };
+  for (const dvec2 s : samples) {
+    const dvec2 right = turn(s.x), up = turn(s.y);
+    dvec2 row = turn(-reach * (s.x + s.y));
+    for (std::size_t i = 0; i < sums.size(); row = times(row, up)) {
+      dvec2 at = row;
+      for (int x = 0; x < spectrum_side; ++x, at = times(at, right)) sums[i++] += at;
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) power[i] += sums[i].x * sums[i].x + sums[i].y * sums[i].y;
+}
+
+/// A pattern's mean power over many pixels, 1 for independent samples; without that of frequency 0.
+inline std::vector<double> spectrum_of(Pattern pattern, int count, std::uint64_t seed) {
+  constexpr int pixels = 32;
+  std::vector<double> power(std::size_t{spectrum_side} * spectrum_side);
+  std::vector<dvec2> samples(static_cast<std::size_t>(count));
+  for (int i = 0; i < pixels; ++i) {
+    put(pattern, samples, numbers_of(seed, {i, 2}));
+    add_power(samples, power);
+  }
+  for (double& p : power) p /= double{pixels} * count;
+  power[power.size() / 2] = 0;
+  return power;
+}
 
 /// The root mean square of what a pattern's means are off on random edges, each by another pattern: the same
 /// edges for all.
@@ -74,11 +114,8 @@ inline double error_on_edges(Pattern pattern, int count, std::uint64_t seed) {
 
 class PatternsStory {
  public:
-  static constexpr int width = 38, height = 29;
-  /// Three above three.
-  static Square pixel_of(std::size_t i) {
-    return {{1.25 + 12.5 * static_cast<double>(i % 3), i < 3 ? 26.6 : 12.4}, 10.5};
-  }
+  static Window cells() { return {{0, 0}, {3 * width + 2 * apart + 1, 2 * (side + heading) + foot}}; }
+  static Square pixel_of(std::size_t i) { return {dvec2(lower(i)) + dvec2{-0.5, side - 0.5}, double{side}}; }
 
   PatternsStory(const Words& words, const Edge& edge, int count)
       : words_(words), edge_(edge), count_(count) {}
@@ -99,7 +136,8 @@ class PatternsStory {
     const std::string_view name = name_of(p.pattern);
     return {.text = std::string_view("patterns.shown"),
             .facts = {{"mean", mean}, {"rmse", p.rmse}},
-            .words = {{"why", words_.say("why." + std::string(name))}},
+            .words = {{"why", words_.say("why." + std::string(name))},
+                      {"spectrum", words_.say("spectrum." + std::string(name))}},
             .row = {words_.say("short." + std::string(name)), mean, p.rmse},
             .key = std::string(name),
             .phase = words_.say("short." + std::string(name))};
@@ -111,20 +149,43 @@ class PatternsStory {
   }
 
  private:
+  // Three above three, each a pixel with its spectrum on the right
+  static constexpr int side = spectrum_side, gap = 1, width = 2 * side + gap, apart = 4, heading = 8,
+                       foot = 6;
+  /// The lower left cell of a pixel.
+  static ivec2 lower(std::size_t i) {
+    return {1 + static_cast<int>(i % 3) * (width + apart), foot + (i < 3 ? side + heading : 0)};
+  }
+
   void put(Board& board) const {
     View view;
+    view.add({"a spectra", Role::guide,
+              Text{{0.5 * cells().upper.x, 0.4 * foot}, words_.say("patterns.spectra")}});
     for (std::size_t i = 0; i < all_of_them.size(); ++i) {
       const Square pixel = pixel_of(i);
-      const dvec2 corner = pixel.corner;
       const std::string id = fmt::format("{} ", i), name(name_of(all_of_them[i]));
-      view.add({id + "name", Role::guide, Text{corner + dvec2{5.25, 1.15}, words_.say("short." + name)}});
+      view.add({id + "name", Role::guide,
+                Text{pixel.corner + dvec2{0.5 * width, 0.45 * heading}, words_.say("short." + name)}});
       pixel.put_scene(view, id + "a", edge_);
+      const Square spectrum{pixel.corner + dvec2{side + gap, 0}, double{side}};
+      view.add({id + "b spectrum", Role::boundary, Path{spectrum.box({0, 0}, {1, 1}), true}});
       if (i >= done_.size()) continue;
       std::vector<Dropped> samples;
       for (const dvec2 s : done_[i].samples) samples.push_back({s, edge_.holds(s)});
       pixel.put_samples(view, id + "s", samples);
+      put_spectrum(view, lower(i) + ivec2{side + gap, 0}, done_[i].power);
     }
     board.milestone(std::move(view));
+  }
+  /// The mean power of independent samples is half the light.
+  static void put_spectrum(View& view, ivec2 at, const std::vector<double>& power) {
+    for (ivec2 p{0, 0}; p.y < side; ++p.y) {
+      for (p.x = 0; p.x < side; ++p.x) {
+        const double value = power[static_cast<std::size_t>((side - 1 - p.y) * side + p.x)];
+        view.cells.insert_or_assign({at.y + p.y, at.x + p.x},
+                                    CellLook{Role::result, "", tone_of(value / (1 + value))});
+      }
+    }
   }
 
   const Words& words_;
@@ -138,7 +199,7 @@ inline void tell_all_patterns(Narrator& narrator) {
   const int count = count_of(given, Pattern::sobol);
   PatternsStory story(narrator.words(), edge_of(given), count);
   PatternsStory::pixel_of(0).let_drag(narrator, edge_of(given));
-  narrator.paper(PatternsStory::width, PatternsStory::height);
+  narrator.whole_grid(PatternsStory::cells(), true);
   narrator.trace().subtitle = narrator.words().count(
       "subtitle", count, {{"seed", given.integer("seed")}, {"pixel", given.cell("pixel")}});
   narrator.columns({{"pattern", false}, {"mean"}, {"rmse"}});
@@ -149,7 +210,9 @@ inline void tell_all_patterns(Narrator& narrator) {
     std::vector<dvec2> samples(static_cast<std::size_t>(count));
     put(pattern, samples, numbers_of(given));
     const auto seed = static_cast<std::uint64_t>(given.integer("seed"));
-    watch(PatternShown{pattern, samples, error_on_edges(pattern, count, seed)}, narrator.last_line());
+    watch(PatternShown{pattern, samples, error_on_edges(pattern, count, seed),
+                       spectrum_of(pattern, count, seed)},
+          narrator.last_line());
   }
   watch(steps::Finished{}, 0);
   narrator.telling({std::ssize(all_of_them), 0});
@@ -158,13 +221,19 @@ inline void tell_all_patterns(Narrator& narrator) {
 
 // --- Pictures
 
+/// Pixels of a picture.
+inline constexpr ivec2 picture_size{48, 36};
+
 /// A scene that is finer than its picture's samples, in pixels.
 class FineScene {
  public:
   /// across: the samples in a row of a pixel. Regular ones can carry half as many waves.
-  FineScene(bool rings, int across) : rings_(rings), across_(across) {}
+  FineScene(std::string_view name, int across)
+      : plane_(name == "plane"), rings_(name == "zone_plate"), across_(across) {}
 
-  double operator()(dvec2 p) const { return 0.5 + 0.5 * cos(2 * pi * phase(p)); }
+  double operator()(dvec2 p) const {
+    return plane_ ? ChequeredPlane{picture_size}(p) : 0.5 + 0.5 * cos(2 * pi * phase(p));
+  }
 
  private:
   static constexpr double pi = 3.14159265358979323846;
@@ -174,7 +243,7 @@ class FineScene {
     return rings_ ? across_ / 50.0 * (p.x * p.x + p.y * p.y) : (across_ - 0.1) * p.x + 0.06 * p.y;
   }
 
-  bool rings_;
+  bool plane_, rings_;
   int across_;
 };
 
@@ -185,14 +254,11 @@ struct PictureTaken {
   double wave, noise;
 };
 
-/// Pixels per side of a picture, and of its part that is magnified.
-inline constexpr int picture_side = 30, crop_side = 10;
-
 inline std::vector<double> picture_by(Pattern pattern, int count, std::uint64_t seed,
                                       const FineScene& scene) {
   std::vector<dvec2> samples(static_cast<std::size_t>(count));
   std::vector<double> greys;
-  sample_picture({{0, 0}, ivec2(picture_side - 1)}, pattern, samples, seed, scene,
+  sample_picture({{0, 0}, picture_size - 1}, pattern, samples, seed, scene,
                  [&](ivec2, double grey) { greys.push_back(grey); });
   return greys;
 }
@@ -201,7 +267,7 @@ inline std::vector<double> picture_by(Pattern pattern, int count, std::uint64_t 
 /// square over the pixels) and by how much they differ.
 inline PictureTaken picture_taken(Pattern pattern, int count, std::uint64_t seed, const FineScene& scene,
                                   const std::vector<double>& truth) {
-  constexpr std::uint64_t tries = 16;
+  constexpr std::uint64_t tries = 8;
   std::vector<std::vector<double>> taken;
   for (std::uint64_t k = 0; k < tries; ++k) taken.push_back(picture_by(pattern, count, seed + k, scene));
   double wave = 0, noise = 0;
@@ -220,47 +286,53 @@ inline PictureTaken picture_taken(Pattern pattern, int count, std::uint64_t seed
 }
 
 inline void tell_pictures(Narrator& narrator) {
-  constexpr std::array patterns{Pattern::regular, Pattern::jittered, Pattern::correlated_multi_jittered};
   const Words& words = narrator.words();
   const Arguments& given = narrator.arguments();
   const int count = static_cast<int>(given.integer("samples"));
-  const FineScene scene(given.text("scene") == "zone_plate", grid_of(count).x);
+  const std::string& scene_name = given.text("scene");
+  const FineScene scene(scene_name, grid_of(count).x);
   const auto seed = static_cast<std::uint64_t>(given.integer("seed"));
   narrator.trace().subtitle =
       words.count("pictures.subtitle", count,
-                  {{"seed", given.integer("seed")}, {"scene", words.say("scene." + given.text("scene"))}});
+                  {{"seed", given.integer("seed")}, {"scene", words.say("scene." + scene_name)}});
   narrator.columns({{"pattern", false}, {"wave"}, {"noise"}});
-  narrator.legend({{Role::current, "crop"}});
+  std::vector<Pattern> patterns;
   std::vector<std::string> names;
-  for (const Pattern pattern : patterns) names.push_back(words.say("short." + std::string(name_of(pattern))));
-  // Its part is round a place where rings are as fine as the samples' grid
-  PictureShelf shelf(narrator, {.size = ivec2(picture_side),
-                                .names = names,
-                                .gap = 3,
-                                .heading = 4,
-                                .part = PictureShelf::Part{ivec2(picture_side - crop_side - 1),
-                                                           ivec2(crop_side), picture_side / crop_side}});
-  shelf.start({.text = "pictures.started", .words = {{"side", picture_side}}, .count = count});
-  const std::vector<double> truth = picture_by(Pattern::regular, 1600, seed, scene);
-  std::vector<PictureTaken> done;
-  for (const Pattern pattern : patterns) {
-    const PictureTaken& p = done.emplace_back(picture_taken(pattern, count, seed, scene, truth));
-    const std::string& name = names[done.size() - 1];
+  for (const Pattern pattern : all_of_them) {
+    // Sobol's has no other numbers of samples than powers of two
+    if (pattern == Pattern::sobol && (count & (count - 1)) != 0) continue;
+    patterns.push_back(pattern);
+    names.push_back(words.say("short." + std::string(name_of(pattern))));
+  }
+  PictureShelf shelf(narrator, {.size = picture_size, .names = names, .row = 3, .gap = 3, .heading = 7});
+  shelf.frame(Role::past);
+  shelf.start({.text = scene_name == "plane" ? "pictures.started_plane" : "pictures.started",
+               .words = {{"columns", picture_size.x}, {"rows", picture_size.y}},
+               .count = count});
+  const std::vector<double> truth = picture_by(Pattern::regular, 576, seed, scene);
+  std::map<Pattern, PictureTaken> done;
+  for (std::size_t k = 0; k < patterns.size(); ++k) {
+    const Pattern pattern = patterns[k];
+    const PictureTaken& p =
+        done.emplace(pattern, picture_taken(pattern, count, seed, scene, truth)).first->second;
     shelf.show(
         "PictureTaken", narrator.last_line(),
-        [&](ivec2 at) { return tone_of(p.greys[static_cast<std::size_t>(at.y * picture_side + at.x)]); },
+        [&](ivec2 at) { return tone_of(p.greys[static_cast<std::size_t>(at.y * picture_size.x + at.x)]); },
         {.text = pattern == Pattern::regular ? "pictures.regular" : "pictures.random",
          .facts = {{"wave", p.wave}, {"noise", p.noise}},
-         .words = {{"pattern", name}},
-         .row = {name, p.wave, p.noise},
+         .words = {{"pattern", names[k]}},
+         .row = {names[k], p.wave, p.noise},
          .key = std::string(name_of(pattern)),
-         .phase = name});
+         .phase = names[k]});
   }
-  shelf.finish(
-      {.text = "pictures.finished",
-       .words = {{"wave", done[0].wave}, {"jittered", done[1].noise}, {"correlated", done[2].noise}}});
-  narrator.result(
-      {{"wave", done[0].wave}, {"noise_jittered", done[1].noise}, {"noise_correlated", done[2].noise}});
+  const double wave = done.at(Pattern::regular).wave, jittered = done.at(Pattern::jittered).noise,
+               correlated = done.at(Pattern::correlated_multi_jittered).noise;
+  shelf.finish({.text = "pictures.finished",
+                .words = {{"wave", wave},
+                          {"uniform", done.at(Pattern::uniform).noise},
+                          {"jittered", jittered},
+                          {"correlated", correlated}}});
+  narrator.result({{"wave", wave}, {"noise_jittered", jittered}, {"noise_correlated", correlated}});
 }
 
 }  // namespace gradus::jittered

@@ -1,7 +1,8 @@
 #pragma once
-// Pictures of the same scene beside each other, with a part of each magnified below it: more and more samples
-// per pixel, one filter after the other, and one ray or several.
+// Pictures of the same plane beside each other: more and more samples per pixel, or one filter after the
+// other with a part of each magnified below it.
 
+#include "stories/antialiasing/chequered_plane.hpp"
 #include "stories/antialiasing/supersampling/subject.hpp"
 #include "stories/picture_shelf.hpp"
 
@@ -40,15 +41,17 @@ struct Told {
 
 /// Each picture against one with 32 x 32 samples and the same filter.
 inline void tell_pictures(Narrator& narrator, const Told& told) {
-  const ShapesScene scene{ivec2(40)};
-  const PictureShelf::Part part{{15, 28}, {10, 10}, 4};
+  const ChequeredPlane scene;
   const Words& words = narrator.words();
   narrator.columns({{told.filters ? "filter" : "samples", false}, {"asked"}, {"kept"}, {"off"}});
-  narrator.legend({{Role::current, "magnified"}});
+  if (told.filters) narrator.add_to_legend(Role::current, "magnified");
   std::vector<std::string> names;
   for (const Way& way : told.ways)
     names.push_back(told.filters ? filter_name(words, way.filter) : fmt::format("{0} × {0}", way.n));
-  PictureShelf shelf(narrator, {.size = scene.size, .names = names, .gap = 4, .heading = 6, .part = part});
+  PictureShelf::Look look{
+      .size = scene.size, .names = names, .row = told.filters ? 0 : 2, .gap = 4, .heading = 7};
+  if (told.filters) look.part = {{18, 12}, {12, 9}, 4};
+  PictureShelf shelf(narrator, std::move(look));
   shelf.frame(Role::past);
   shelf.start({.text = told.started, .words = {{"columns", scene.size.x}, {"rows", scene.size.y}}});
   std::vector<double> off;

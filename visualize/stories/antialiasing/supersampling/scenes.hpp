@@ -1,6 +1,6 @@
 #pragma once
-// What the pictures of supersampling show: shapes that are known at every place, and a sphere over a
-// chequered floor that is found along a ray.
+// What the pictures of supersampling show: polygons, and a sphere over a chequered floor that is found along
+// a ray.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/arithmetic/elementary.hpp"
 #include "core/geometry.hpp"
 
 namespace gradus::supersampling {
@@ -39,33 +38,6 @@ inline double area_of(const Polygon& polygon) {
   }
   return std::abs(doubled) / 2;
 }
-
-/// Thin triangles, a disc and a star of spokes, light on dark, in a picture of so many pixels.
-struct ShapesScene {
-  ivec2 size;
-
-  double operator()(dvec2 place) const {
-    const dvec2 p = place / dvec2(size) * 40.0;  // drawn in a picture of 40 x 40
-    return in_disc(p) || in_spokes(p) || in_sliver(p) ? 1.0 : 0.0;
-  }
-
- private:
-  static bool in_disc(dvec2 p) { return glm::dot(p - dvec2{8.7, 8.3}, p - dvec2{8.7, 8.3}) < 6.2 * 6.2; }
-  /// Twenty spokes that meet in a point.
-  static bool in_spokes(dvec2 p) {
-    const dvec2 d = p - dvec2{28.5, 12.5};
-    if (glm::dot(d, d) >= 10.5 * 10.5) return false;
-    constexpr double turn = 2 * 3.14159265358979323846;
-    const double spoke = gradus::atan2(d.y, d.x) / turn * 20;
-    return spoke - std::floor(spoke) < 0.5;
-  }
-  static bool in_sliver(dvec2 p) {
-    static const std::vector<Polygon> slivers{{{1.5, 36.3}, {38.7, 25.4}, {38.7, 26.3}},
-                                              {{1.5, 37.2}, {38.7, 29.7}, {38.7, 30.4}},
-                                              {{1.5, 38.1}, {38.7, 34.2}, {38.7, 34.7}}};
-    return std::ranges::any_of(slivers, [&](const Polygon& s) { return holds(s, p); });
-  }
-};
 
 /// A red sphere over a chequered floor under a bright sky, found by a ray from the eye through the place.
 struct SphereScene {
