@@ -15,7 +15,7 @@ using fmt::arg;
 constexpr double column_gap = 0.8;
 
 /// Four rows stand closer.
-double row_height(std::size_t rows) { return rows > 3 ? 1.7 : 2.1; }
+double row_height(std::size_t rows) { return rows > 3 ? 1.6 : 2.1; }
 
 /// The width of a digit; four columns stand closer.
 double character(std::size_t columns) { return columns > 3 ? 0.74 : 0.92; }
@@ -69,15 +69,16 @@ MatrixRows oriented(const Wording& words, MatrixRows rows) {
 }
 
 void add_matrix(View& view, std::string_view id, dvec2 right, const std::string& name, const MatrixRows& rows,
-                Role role) {
+                Role role, bool aside) {
   const std::size_t columns = rows.front().size();
   const double height = row_height(rows.size()), half = 0.5 * height * static_cast<double>(rows.size());
   const auto bracket = [&](std::string_view side, double x, double inwards) {
-    view.add({fmt::format("{} bracket {}", id, side), role,
-              Path{{{x + inwards, right.y + half},
-                    {x, right.y + half},
-                    {x, right.y - half},
-                    {x + inwards, right.y - half}}}});
+    Path path{{{x + inwards, right.y + half},
+               {x, right.y + half},
+               {x, right.y - half},
+               {x + inwards, right.y - half}}};
+    path.aside = aside;
+    view.add({fmt::format("{} bracket {}", id, side), aside ? Role::guide : role, std::move(path)});
   };
   bracket("right", right.x, -0.5);
   double x = right.x - 0.6;
@@ -85,7 +86,7 @@ void add_matrix(View& view, std::string_view id, dvec2 right, const std::string&
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const std::string text = entry_text(rows[r][c], columns > 3);
       const double y = right.y + half - height * (static_cast<double>(r) + 0.5);
-      view.add({fmt::format("{} entry {} {}", id, r, c), role, Text{{x, y}, text, Align::right}});
+      view.add({fmt::format("{} entry {} {}", id, r, c), role, Text{{x, y}, text, Align::right, aside}});
     }
     x -= column_width(rows, c) + (c > 0 ? column_gap : 0.6);
   }
@@ -99,6 +100,16 @@ dvec2 matrix_size(const MatrixRows& rows) {
   double width = 1.2 + column_gap * static_cast<double>(columns - 1);
   for (std::size_t c = 0; c < columns; ++c) width += column_width(rows, c);
   return {width, row_height(rows.size()) * static_cast<double>(rows.size())};
+}
+
+MatrixRows fitted(MatrixRows rows, double wide) {
+  for (const double parts : {10.0, 1.0}) {
+    if (matrix_size(rows).x <= wide) break;
+    for (auto& row : rows) {
+      for (double& x : row) x = std::round(x * parts) / parts;
+    }
+  }
+  return rows;
 }
 
 std::string figure_text(const Number& number) {

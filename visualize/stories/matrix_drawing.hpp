@@ -18,12 +18,18 @@ using MatrixRows = std::vector<std::vector<double>>;
 MatrixRows oriented(const Wording& words, MatrixRows rows);
 
 /// A matrix in brackets with its name, if it has one, to the left; `right` is the middle of its right
-/// bracket.
+/// bracket. aside: among many drawings, where its numbers have no room, it is left out.
 void add_matrix(View& view, std::string_view id, dvec2 right, const std::string& name, const MatrixRows& rows,
-                Role role);
+                Role role, bool aside = false);
+
+/// In smaller units its rows would lie on each other: of a paper with matrices aside, Grid::lines.
+inline constexpr double least_unit_of_matrices = 13;
 
 /// How wide and high its brackets are, in paper units.
 dvec2 matrix_size(const MatrixRows& rows);
+
+/// The same with one decimal or none, where it were wider than this.
+MatrixRows fitted(MatrixRows rows, double wide);
 
 /// A number as the user wrote it, with the typographic minus.
 std::string figure_text(const Number& number);

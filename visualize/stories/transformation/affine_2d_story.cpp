@@ -145,11 +145,13 @@ class Story {
     return event;
   }
   Event acted(std::string_view text, std::size_t factor) const {
-    return standing({.text = text,
-                     .words = {{"factor", factor_words(words_.wording(), subject_.texts[factor])},
-                               {"name", name_of(factor)},
-                               {"from", corner(done_ - 1)},
-                               {"to", corner(done_)}}});
+    return standing(
+        {.text = text,
+         .words = {{"factor", factor_words(words_.wording(), subject_.texts[factor])},
+                   {"name", name_of(factor)},
+                   {"from", corner(done_ - 1)},
+                   {"to", corner(done_)}},
+         .phase = name_of(factor) + ": " + factor_words(words_.wording(), subject_.texts[factor])});
   }
 
   /// The distance from the corner that has come out farthest off.
@@ -250,19 +252,12 @@ class Story {
     add_matrices(view, whole);
     for (std::size_t k = 0; k < done_ || k == 0; ++k)
       add_stage(view, at, k, k == 0 ? Role::input : Role::past);
-    const dvec2 from = at.before.at(corner(done_ == 0 || whole ? 0 : done_ - 1));
-    if (done_ == 0 || whole || done_ == 1)
-      view.add_named("j corner 00", "k corner 00", Role::input, from, letter(0));
+    add_corners(view, at, role);
     if (done_ == 0) return view;
     if (subject_.compare && done_ == count()) add_reversed(view, at.after);
     add_stage(view, at, done_, role);
-    const dvec2 to = at.after.at(corner(done_));
     view.add({"a inside", role, Area{{at.after.at(stages_[done_])}}});
-    view.add_named("j corner", "k corner", role, to, fmt::format("{}{}", letter(0), done_));
     if (whole) return view;
-    if (done_ > 1)
-      view.add_named("j corner before", "k corner before", Role::past, from,
-                     fmt::format("{}{}", letter(0), done_ - 1));
     add_way(view, at);
     if (!at.apart) keep_still(view, at.after);
     return view;
@@ -283,6 +278,28 @@ class Story {
       const auto is_shown = [&](dvec2 p) { return shown.holds(p); };
       if (!std::ranges::all_of(stages_[k], is_shown)) continue;
       view.add({fmt::format("b stage {:02}", k), role, Path{panel->at(stages_[k]), true}});
+    }
+  }
+
+  /// Corner A with the number of each stage; of many the first and the last ones, and where it stood still
+  /// the last one alone.
+  void add_corners(View& view, const Layout::Frames& at, Role role) const {
+    const double near = 1e-6 * longer_side(at.after.shown());
+    for (std::size_t k = 0; k <= done_; ++k) {
+      const dvec2 a = corner(k);
+      const auto stays = [&](const Shape& later) { return length_between(later[0], a) <= near; };
+      const bool last = k == done_, many = k > 0 && k + 3 < done_;
+      const Panel& panel = last || at.after.shown().holds(a) ? at.after : at.before;
+      if (!last && (many || std::any_of(stages_.begin() + static_cast<std::ptrdiff_t>(k) + 1,
+                                        stages_.begin() + static_cast<std::ptrdiff_t>(done_) + 1, stays)))
+        continue;
+      if (!panel.shown().holds(a)) continue;
+      const std::string id = last && done_ > 0 ? "corner" : fmt::format("corner {:02}", k);
+      view.add_named("j " + id, "k " + id,
+                     last && k > 0 ? role
+                     : k == 0      ? Role::input
+                                   : Role::past,
+                     panel.at(a), k == 0 ? letter(0) : fmt::format("{}{}", letter(0), k));
     }
   }
 
@@ -319,8 +336,21 @@ class Story {
     const auto at = [&](const Tuple& place) { return panel.at(point_of(place) - origin()); };
     if (!text.pivot.empty())
       view.add_named("j pivot", "k pivot", Role::boundary, at(text.pivot), words_.say("pivot"), true);
-    if (text.line.size() == 2)
-      view.add({"d mirror", Role::boundary, Stroke{at(text.line[0]), at(text.line[1])}});
+    if (text.kind == FactorText::Kind::reflect) add_mirror(view, panel, text);
+  }
+  /// All of the mirror that the panel shows.
+  void add_mirror(View& view, const Panel& panel, const FactorText& text) const {
+    dvec2 a{0}, b{text.mirror != Mirror::y_axis, text.mirror != Mirror::x_axis};
+    if (text.mirror == Mirror::line) a = point_of(text.line[0]), b = point_of(text.line[1]);
+    a -= origin(), b -= origin();
+    if (text.mirror == Mirror::origin)
+      return view.add_named("j pivot", "k pivot", Role::boundary, panel.at(a), words_.say("pivot"), true);
+    constexpr double any = std::numeric_limits<double>::max();
+    const auto [from, to] = span_in(panel.shown(), a, b - a, -any, any);
+    if (from >= to) return;
+    const dvec2 end = panel.at(a + to * (b - a));
+    view.add({"d mirror", Role::boundary, Stroke{panel.at(a + from * (b - a)), end}});
+    view.add({"k mirror", Role::boundary, Label{end, words_.say("mirror")}});
   }
 
   /// The names of the factors that have acted, the last one first, as a product.
