@@ -20,7 +20,8 @@ class ProductStory {
     if (rows) {
       others_ = stages(subject.factors, false);
     } else if (subject.compare) {
-      others_ = stages({subject.factors.rbegin(), subject.factors.rend()}, false);
+      reversed_.assign(subject.factors.rbegin(), subject.factors.rend());
+      others_ = stages(reversed_, false);
     }
     Extent world = world_of_axes(dvec3(reach_of(subject.size)));
     for (const auto* list : {&stages_, &others_}) {
@@ -47,7 +48,9 @@ class ProductStory {
                      .words = {{"factor", factor_words(words_.wording(), subject_.texts[m.factor])},
                                {"name", factor_name(words_.wording(), m.factor)},
                                {"from", stages_[done_ - 1][corner_a]},
-                               {"to", stages_[done_][corner_a]}}});
+                               {"to", stages_[done_][corner_a]}},
+                     .phase = factor_name(words_.wording(), m.factor) + ": " +
+                              factor_words(words_.wording(), subject_.texts[m.factor])});
   }
 
   // The corners are drawn with each factor
@@ -102,7 +105,16 @@ class ProductStory {
     View view;
     half(view, 0, stages_, role);
     if (!others_.empty()) half(view, 1, others_, role);
-    add_product(view, {35.2, 20.2}, product_, words_);
+    const Role now = done_ > 0 ? role : Role::input;
+    const auto add = [&](std::size_t i, double x, double wide, const Mat& m) {
+      add_product(view, fmt::format("m {}", i), {x, 24.1}, wide, m, heading(i), now, words_);
+    };
+    if (others_.empty()) {
+      add(0, 0.5 * (single_place.upper.x + paper_width) - 0.4, 16.8, product_);
+    } else {
+      add(0, left_place.centre().x, 16.8, product_);
+      add(1, right_place.centre().x, 16.8, by_rows_ ? product_ : product_of(reversed_));
+    }
     board.milestone(std::move(view));
   }
   void half(View& view, std::size_t i, const std::vector<Shape>& list, Role role) const {
@@ -115,21 +127,30 @@ class ProductStory {
     add_box(space, id + " 2", done_ > 0 ? role : Role::input, list[done_]);
     space.add_to(view, "a " + id);
     add_dot(view, panel, id + " corner", done_ ? role : Role::input, list[done_][corner_a], "A");
-    view.add({"l " + id + " caption", Role::guide, Text{{panel.place().centre().x, 0.8}, caption(i)}});
   }
-  std::string caption(std::size_t half) const {
-    if (by_rows_) return words_.say(half == 0 ? "as_row" : "as_column");
+  /// Of the factors that have acted.
+  Mat product_of(const std::vector<Mat>& factors) const {
+    Mat product(1);
+    for (std::size_t k = 0; k < done_; ++k) product = factors[k] * product;
+    return product;
+  }
+  /// What acts on the points of this picture by now: "M2·M1 =".
+  std::string heading(std::size_t half) const {
     const std::size_t n = subject_.factors.size();
-    if (half == 0) return product_name(words_.wording(), n);
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k < n; ++k) names.push_back(factor_name(words_.wording(), k));
-    return chained(words_.wording(), std::move(names));
+    std::string name = product_name(words_.wording(), done_);
+    if (half == 1 && !by_rows_ && done_ > 0) {
+      std::vector<std::string> names;
+      for (std::size_t k = n - done_; k < n; ++k) names.push_back(factor_name(words_.wording(), k));
+      name = chained(words_.wording(), std::move(names));
+    }
+    return (by_rows_ ? words_.say(half == 0 ? "as_row" : "as_column", {{"product", name}}) : name) + " =";
   }
 
   const Words& words_;
   const Subject& subject_;
   const bool by_rows_;
   std::vector<Shape> stages_, others_;
+  std::vector<Mat> reversed_;  ///< the factors, where their reverse order is shown
   std::vector<Panel> panels_;
   std::size_t done_ = 0;
   Mat product_{1};
@@ -211,10 +232,12 @@ void introduce_turn(Narrator& narrator, const Subject& subject) {
 void tell_product(Narrator& narrator, const Subject& subject, bool rows) {
   introduce(narrator);
   narrator.shows_matrices();
+  narrator.trace().grid.lines = least_unit_of_matrices;
   narrator.trace().subtitle = factors_words(narrator.words().wording(), subject.texts);
   ProductStory story(narrator.words(), subject, rows);
   require_scale(story.panel(), narrator.arguments(), {"box", "factors"});
   narrator.handles("box", [&](dvec3 corner) { return story.panel().at(oblique(corner)); });
+  narrator.telling({std::ssize(subject.factors), 0});  // all factors have acted
   const auto watch = narrator.watcher(story);
   Shape box = box_of(subject.size);
   rows ? row_vectors(Chain(subject.factors), std::span(box), watch)
@@ -234,6 +257,7 @@ void tell_decomposition(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   introduce_turn(narrator, subject);
   narrator.shows_matrices();
+  narrator.trace().grid.lines = least_unit_of_matrices;
   PartsStory story(narrator.words(), subject);
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);

@@ -127,10 +127,10 @@ inline void add_arrow(View& view, const Panel& panel, const std::string& id, Rol
 /// How far the axes of space reach, for a box and what is near it.
 inline double reach_of(dvec3 box) { return 1.2 * std::max({box.x, box.y, box.z}); }
 
-constexpr int paper_width = 36, paper_height = 24;
-/// Where space is drawn: alone, beside the matrix, or twice, below it.
-constexpr Extent whole_place{{0.8, 2.2}, {35.2, 23.4}}, single_place{{0.4, 0.8}, {18, 23.2}},
-    left_place{{0.3, 1.7}, {17.7, 16.5}}, right_place{{18.3, 1.7}, {35.7, 16.5}};
+constexpr int paper_width = 36, paper_height = 25;
+/// Where space is drawn: alone, beside the matrix, or twice, each below its own.
+constexpr Extent whole_place{{0.8, 2.2}, {35.2, 24.4}}, single_place{{0.4, 0.8}, {18, 24.2}},
+    left_place{{0.3, 0.3}, {17.7, 16.4}}, right_place{{18.3, 0.3}, {35.7, 16.4}};
 
 inline Shape tips_of_axes(dvec3 reach) { return {{reach.x, 0, 0}, {0, reach.y, 0}, {0, 0, reach.z}}; }
 
@@ -159,13 +159,18 @@ inline Extent world_of_axes(dvec3 reach) {
   return world;
 }
 
-/// A matrix of space; `right` is the middle of its right bracket.
-inline void add_product(View& view, dvec2 right, const Mat& m, const Words& words) {
+/// A matrix of space below its name, in the middle of a part of the paper this wide; `top` is where its name
+/// stands. What is too wide has fewer decimals; numbers too long for any are left to the steps.
+inline void add_product(View& view, const std::string& id, dvec2 top, double wide, const Mat& m,
+                        const std::string& name, Role role, const Words& words) {
   MatrixRows rows(4);
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) rows[static_cast<std::size_t>(y)].push_back(m[x][y]);
   }
-  add_matrix(view, "m", right, words.symbol("M"), oriented(words.wording(), std::move(rows)), Role::input);
+  rows = gradus::fitted(oriented(words.wording(), std::move(rows)), wide);
+  view.add({id + " name", role, Text{top, name, Align::centre, true}});
+  const dvec2 size = matrix_size(rows);
+  if (size.x <= wide) add_matrix(view, id, top + dvec2{size.x / 2, -0.9 - size.y / 2}, "", rows, role, true);
 }
 
 }  // namespace gradus::affine_3d

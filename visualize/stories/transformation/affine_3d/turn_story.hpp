@@ -142,8 +142,8 @@ class PartsStory {
     space.add_to(view, "a box");
     view.add({"k axis", Role::boundary, Label{on_paper(ends[1]), words_.say("axis")}});
     add_dot(view, *panel_, "corner", done_ ? role : Role::input, corner(), "A");
-    view.add({"l formula", Role::guide, Text{{27, 9}, formula()}});
-    add_product(view, {35.2, 14}, product_, words_);
+    add_product(view, "m", {26.6, 17.6}, 17.2, product_, formula() + " =", done_ > 0 ? role : Role::input,
+                words_);
     board.milestone(std::move(view));
   }
 
