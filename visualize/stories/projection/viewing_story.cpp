@@ -218,6 +218,12 @@ class Story
       drawing_.add_view_space(view, known, wrong_, right_);
     else
       drawing_.add_picture(view, known, right_);
+    const bool columns = way_ == Way::inverse;
+    glm::dmat4 shown = faulty() ? wrong_ : columns ? view_to_world(frame_) : right_;
+    if (backward_) {
+      for (int i = 0; i < 4; ++i) (columns ? shown[2][i] : shown[i][2]) *= -1;
+    }
+    drawing_.add_matrix_of(view, known, shown, columns);
     return view;
   }
 
@@ -286,7 +292,10 @@ class Story
 // --- The methods
 
 void introduce(Narrator& narrator, Role last, std::string_view its_key) {
-  narrator.legend({Role::current, Role::accepted, {last, its_key}, Role::past, Role::input});
+  narrator.legend({Role::input, Role::past});
+  for (const int axis : {0, 1, 2})
+    narrator.trace().legend.push_back({axis_role(axis), axis_name(narrator.words(), axis), Sample::arrow});
+  narrator.add_to_legend(last, its_key);
 }
 void introduce_axes(Narrator& narrator) {
   narrator.legend({Role::current,
@@ -337,6 +346,7 @@ void tell_view(Narrator& narrator) {
   introduce(narrator, faulty ? Role::rejected : Role::result, faulty ? "rejected" : "result");
   narrator.subtitle("subtitle", {{"eye", subject.eye}, {"target", subject.target}});
   narrator.paper(36, 24);
+  narrator.trace().grid.lines = least_unit_of_matrices;
   say_axes_of_code(narrator);
   // The matrix is whole after its third row or column
   const bool replaced =
@@ -344,8 +354,8 @@ void tell_view(Narrator& narrator) {
   narrator.telling({replaced ? 7 : 6, 0});
   Story story(narrator.words(), subject, way);
   const Drawing& drawing = story.drawing();
-  for (const std::string_view point : {"eye", "target"})
-    narrator.handles(point, [&](dvec3 p) { return drawing.at(p); });
+  narrator.handles("eye", [&](dvec3 p) { return drawing.eye_at(p); });
+  narrator.handles("target", [&](dvec3 p) { return drawing.at(p); });
   narrator.handles("up", [&](dvec3 up) { return drawing.hint_at(up); });
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);

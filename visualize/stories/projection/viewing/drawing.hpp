@@ -1,121 +1,31 @@
 #pragma once
-// What a view is about, and how it is drawn: the world with the viewer's axes, and beside it what they see.
+// How a view is drawn: the world with the viewer's axes, and beside it what they see and the matrix.
 
-#include "core/geometry.hpp"
-#include "projection/viewing/viewing.hpp"
-#include "projection/viewing/viewing_notes.hpp"
-#include "scene/models/obj.hpp"
+#include "stories/matrix_drawing.hpp"
+#include "stories/projection/viewing/subject.hpp"
 #include "stories/rings.hpp"
 #include "stories/space_drawing.hpp"
-#include "stories/telling.hpp"
 
 namespace gradus::viewing {
-
-using DFrame = Frame<double>;
 
 // block_story.cpp
 void tell_block(Narrator& narrator);
 
-constexpr std::array<std::string_view, 3> axis_names{"right", "up", "forward"};
-constexpr std::array world_axes{std::pair{"x", dvec3{1, 0, 0}}, std::pair{"y", dvec3{0, 1, 0}},
-                                std::pair{"z", dvec3{0, 0, 1}}};
-
-/// What the reader calls the directions right, up and forward.
-inline std::string direction_name(const Words& words, int number) {
-  const std::string own = words.say(fmt::format("name.{}", axis_names[static_cast<std::size_t>(number)]));
-  return number == 2 ? words.notation().forward_name(own) : words.notation().axis_name(number, own);
-}
-/// The same of the axes of view space: the third one may point backward.
-inline std::string axis_name(const Words& words, int number) {
-  const std::string own = words.say(fmt::format("name.{}", axis_names[static_cast<std::size_t>(number)]));
-  return words.notation().axis_name(number, own);
-}
-
-/// Of coordinates: farther away the letter is a dot, and numbers don't fit.
-constexpr Sizes coordinate_sizes{1e-100, 1e6};
-
-/// Axes that are much shorter or longer don't fit into a drawing with the letter.
-constexpr double longest_axis = 1000;
-
-/// What is made of a hint for up along the view.
-enum class Along { refused, replaced, divided };
-
-struct Subject {
-  dvec3 eye, target, up;
-  double distance;  ///< from the eye to the target
-  Mesh letter;
-  std::optional<DFrame> axes{};  ///< given ones, of any lengths and angles, instead of target and up
-  Along along = Along::refused;
-
-  /// The frame at the eye.
-  DFrame frame() const {
-    return axes ? *axes : aimed([](const auto&) {});
-  }
-  /// The same, watched.
-  template <class O>
-  DFrame aimed(O&& observer) const {
-    if (along == Along::replaced) return spare_up(eye, target, up, observer);
-    if (along == Along::divided) return cross_products(eye, target, up, observer);
-    return look_at(eye, target, up, observer);
-  }
-};
-
-inline Mesh shipped_letter() {
-  const auto open = [](const std::string& name) { return std::optional(std::string(shipped_model(name))); };
-  return pipeline::parse_obj(shipped_model("letter_f.obj"), "letter_f.obj", open).mesh;
-}
-
-/// An eye with three axes of any lengths and angles.
-inline Subject subject_of_axes(const Arguments& arguments) {
-  const dvec3 eye = *arguments.place("eye");
-  const auto axes = arguments.places("axes");
-  const auto expect = [&](bool holds, const std::string& what) {
-    if (!holds) refuse("axes", "{} expected, found {}", what, arguments.text("axes"));
-  };
-  for (const dvec3 axis : axes) {
-    const double length = length_of(axis);
-    expect(1 / longest_axis <= length && length <= longest_axis,
-           fmt::format("axes of lengths from {} to {}", 1 / longest_axis, longest_axis));
-  }
-  const DFrame frame{eye, axes[0], axes[1], axes[2]};
-  const auto [x, y, z] = Rescaled<double>(frame).scaled;
-  expect(std::abs(glm::dot(x, glm::cross(y, z))) > 1e-6, "three axes that don't lie in one plane");
-  const dvec3 middle{0.4, 0.6, 0};  // of the letter
-  return {eye, middle, {0, 1, 0}, std::max(1.0, length_of(middle - eye)), shipped_letter(), frame};
-}
-
-inline Subject subject_of(const Arguments& arguments, Along along) {
-  Subject subject{*arguments.place("eye"), *arguments.place("target"), *arguments.place("up"), 0, {}};
-  subject.along = along;
-  if (subject.eye == subject.target)
-    refuse(arguments, {"target", "eye"}, "a target apart from the eye expected, found both in one point");
-  if (subject.up == dvec3{0})
-    refuse(arguments, {"up"}, "a direction expected, found 0,0,0, which points nowhere");
-  const double sine = sine_between(subject.target - subject.eye, subject.up);
-  if (along == Along::divided && !is_finite(subject.frame().right))
-    refuse(arguments, {"up", "target", "eye"},
-           "a hint for up that leaves something to divide by expected, this one gives 0 / 0");
-  if (along == Along::refused && !(sine >= least_sine<double>)) {
-    refuse(arguments, {"up", "target", "eye"},
-           fmt::format("an up apart from the view direction expected, found {}, which is parallel to it",
-                       arguments.text("up")));
-  }
-  subject.distance = length_of(subject.target - subject.eye);
-  subject.letter = shipped_letter();
-  return subject;
-}
-
-// --- The drawing
-
-/// Two panels on a paper of 36 x 24: the world, and what the viewer makes of it.
-inline const Extent world_place{{0.6, 0.4}, {19, 22}};
-inline const Extent seen_place{{20.3, 4}, {35.3, 19}};
+/// Three panels on a paper of 36 x 24: the world, what the viewer makes of it, and below that the matrix.
+inline const Extent world_place{{0.4, 0.4}, {16.6, 22}};
+inline const Extent seen_place{{20.2, 8.6}, {33.6, 22}}, matrix_place{{16.7, 0.4}, {35.3, 7}};
 
 /// For given axes: these beside the letter in the world, or twice, for two hands; at last the letter along
 /// them and in the world.
 inline const Extent axes_place{{3, 0.8}, {20, 22}}, letter_place{{25, 1.6}, {35.2, 21}};
 inline const Extent left_hand_place{{2.2, 0}, {15.4, 17}}, right_hand_place{{21.8, 0}, {35, 17}};
 inline const Extent along_place{{0.8, 1}, {16, 21.6}}, back_place{{20, 1}, {35.2, 21.6}};
+
+/// An axis of the viewer, its row of the matrix and its line in the picture have one colour.
+inline Role axis_role(int number) {
+  constexpr std::array roles{Role::measure, Role::accepted, Role::current};
+  return roles[static_cast<std::size_t>(number)];
+}
 
 /// A direction's reverse along z: what is right-handed becomes left-handed.
 inline dvec3 mirrored(dvec3 p) { return {p.x, p.y, 0 - p.z}; }
@@ -142,9 +52,11 @@ class Drawing {
                               : world_place,
                world_extent()) {}
 
-  /// Where the first drawing has a point of the world, the end of the hint for up, and that of a given axis.
+  /// Where the first drawing has a point of the world, the eye, the end of the hint for up, and that of a
+  /// given axis.
   dvec2 at(dvec3 p) const { return world_.at(flat(p)); }
-  dvec2 hint_at(dvec3 up) const { return at(subject_.eye + axis_size() * unit_vector(up)); }
+  dvec2 eye_at(dvec3 eye) const { return at(nearer(eye)); }
+  dvec2 hint_at(dvec3 up) const { return at(shown_eye() + axis_size() * unit_vector(up)); }
   dvec2 axis_at(dvec3 axis) const { return at(subject_.eye + arrow_unit(*subject_.axes) * axis); }
 
   /// How many axes of the frame are drawn, which of them is new (-1: none), and how much of the matrix.
@@ -163,7 +75,7 @@ class Drawing {
                         .frame = world_place});
     space.add("letter world", Role::past, subject_.letter);
     add_world_axes(view, space);
-    space.add(SpaceEdge{.id = "sight", .role = Role::guide, .a = subject_.eye, .b = subject_.target});
+    space.add(SpaceEdge{.id = "sight", .role = Role::guide, .a = shown_eye(), .b = subject_.target});
     add_camera(space);
     space.add_to(view, "a letter world");
     const double size = axis_size();
@@ -172,12 +84,43 @@ class Drawing {
     for (int i = 0; i < 3; ++i) {
       if (!known.axes[static_cast<std::size_t>(i)]) continue;
       const std::string name(axis_names[static_cast<std::size_t>(i)]);
-      arrow(view, "axis " + name, i == known.newest ? Role::current : Role::accepted,
-            size * shown_axis(frame, i), axis_name(words_, i), false);
+      arrow(view, "axis " + name, axis_role(i), size * shown_axis(frame, i), axis_name(words_, i), false);
     }
-    point(view, "eye", Role::input, subject_.eye, words_.say("name.eye"));
+    const bool is_far = shown_distance() < subject_.distance;
+    const std::string eye = words_.say("name.eye");
+    point(view, "eye", Role::input, shown_eye(), is_far ? eye + " " + figure_place(subject_.eye) : eye);
     point(view, "target", Role::input, subject_.target, words_.say("name.target"));
+    if (is_far) add_break(view);
     return view;
+  }
+
+  /// The matrix, its rows (or columns) in their axes' colours as far as they are known.
+  void add_matrix_of(View& view, const Known& known, const glm::dmat4& m, bool columns) const {
+    MatrixRows rows(4, std::vector<double>(4));
+    for (std::size_t r = 0; r < 4; ++r) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        const double x = m[static_cast<int>(c)][static_cast<int>(r)];
+        rows[r][c] = std::abs(x) < 1e-9 ? 0 : x;
+      }
+    }
+    rows = fitted(oriented(words_.wording(), std::move(rows)), matrix_place.size().x);
+    const dvec2 size = matrix_size(rows), middle = matrix_place.centre();
+    if (size.x > matrix_place.size().x) return;
+    const bool by_columns = columns != words_.notation().rows;
+    add_matrix(view, "n matrix", middle + dvec2{size.x / 2, 0}, "", rows, Role::guide, true);
+    for (int r = 0; r < 4; ++r) {
+      for (int c = 0; c < 4; ++c) {
+        const int axis = by_columns ? c : r;
+        const bool known_last = axis == 3 && known.seen;
+        if (axis < known.rows || known_last)
+          view.marks.at(fmt::format("n matrix entry {} {}", r, c)).role =
+              axis < 3 ? axis_role(axis) : Role::input;
+      }
+    }
+    if (known.newest < 0 || known.newest >= known.rows || by_columns) return;
+    const double high = size.y / 4, top = middle.y + size.y / 2 - high * known.newest;
+    const Extent row{{middle.x - size.x / 2, top - high}, {middle.x + size.x / 2, top}};
+    view.add({"n matrix row", axis_role(known.newest), Area{{row.corners()}, 2}});
   }
 
   /// The picture: x / depth to the right, y / depth up; the letter in it once the matrix is whole.
@@ -186,8 +129,8 @@ class Drawing {
     frame_of(view);
     const Panel panel(seen_place, picture_extent(matrix));
     const dvec2 middle = seen_place.centre(), reach = 0.42 * seen_place.size();
-    if (known.rows >= 1) picture_axis(view, known, 0, {reach.x, 0});
-    if (known.rows >= 2) picture_axis(view, known, 1, {0, reach.y});
+    if (known.rows >= 1) picture_axis(view, 0, {reach.x, 0});
+    if (known.rows >= 2) picture_axis(view, 1, {0, reach.y});
     if (known.rows >= 1)
       guide_line(view, "no right", {middle.x, seen_place.lower.y}, {middle.x, seen_place.upper.y});
     if (known.rows >= 2)
@@ -225,8 +168,7 @@ class Drawing {
     const double size = axis_size();
     for (const dvec3 tip : {dvec3{size, 0, 0}, dvec3{0, size, 0}, dvec3{0, 0, subject_.distance}})
       all.add(flat(tip));
-    const Extent place{{21, 1}, {34.5, 21.5}};
-    const Panel panel(place, widened(all, 0.02));
+    const Panel panel({{19.6, 8.8}, {34.4, 21.5}}, widened(all, 0.02));
     const auto at = [&](dvec3 v) { return panel.at(flat(v)); };
     const auto line = [&](const std::string& id, dvec3 tip, int axis) {
       add_arrow(view, id, Role::guide, at({0, 0, 0}), at(tip), direction_name(words_, axis));
@@ -414,7 +356,7 @@ class Drawing {
     for (const dvec3 corner : picture_corners()) add(corner);
     for (const dvec3 way :
          {frame.right, frame.up, frame.forward, shown_axis(frame, 2), unit_vector(subject_.up), dvec3{0}})
-      add(subject_.eye + size * way);
+      add(shown_eye() + size * way);
     for (const dvec3 tip : {dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, 1}, dvec3{0}})
       add(axis_length() * tip);
     return widened(extent, 0.02);
@@ -424,29 +366,52 @@ class Drawing {
     const auto [eye, right, up, forward] = subject_.frame();
     std::vector<dvec3> corners;
     for (const dvec2 p : picture_extent(world_to_view(subject_.frame())).corners())
-      corners.push_back(eye + 0.4 * subject_.distance * (forward + p.x * right + p.y * up));
+      corners.push_back(shown_eye() + 0.4 * shown_distance() * (forward + p.x * right + p.y * up));
     return corners;
+  }
+  /// A far eye is drawn nearer on its line of sight, so that the model keeps its size.
+  static constexpr double most_distance = 2.6;
+  double shown_distance() const {
+    return subject_.axes ? subject_.distance : std::min(subject_.distance, most_distance);
+  }
+  dvec3 nearer(dvec3 eye) const {
+    if (subject_.axes) return eye;
+    const dvec3 way = eye - subject_.target;
+    return subject_.target + std::min(1.0, most_distance / length_of(way)) * way;
+  }
+  dvec3 shown_eye() const { return nearer(subject_.eye); }
+  /// Across the line of sight, with its true length: it is longer than it is drawn.
+  void add_break(View& view) const {
+    const dvec2 a = at(shown_eye()), b = at(subject_.target), middle = a + 0.55 * (b - a);
+    const dvec2 along = (b - a) / std::max(length_between(a, b), 1e-9), across{-along.y, along.x};
+    for (const double aside : {-0.25, 0.25}) {
+      view.add({fmt::format("sight break {}", aside), Role::guide,
+                Stroke{middle + aside * along - 0.5 * across - 0.2 * along,
+                       middle + aside * along + 0.5 * across + 0.2 * along}});
+    }
+    view.add({"sight length", Role::guide, Label{middle, figure_real(subject_.distance)}});
   }
   /// The camera: from the eye through the picture's corners.
   void add_camera(SpaceDrawing& space) const {
     const std::vector<dvec3> corners = picture_corners();
     for (std::size_t i = 0; i < 8; ++i) {
       const auto [to, role] =
-          i < 4 ? std::pair{subject_.eye, Role::guide} : std::pair{corners[(i + 1) % 4], Role::boundary};
+          i < 4 ? std::pair{shown_eye(), Role::guide} : std::pair{corners[(i + 1) % 4], Role::boundary};
       space.add(SpaceEdge{fmt::format("camera {}", i), role, corners[i % 4], to});
     }
     space.add(SpaceFace{"camera picture", Role::boundary, corners, false, true, 2});
   }
   /// Of the world's axes, and of the viewer's as they are drawn.
-  double axis_length() const { return std::max(1.3, 0.25 * subject_.distance); }
-  double axis_size() const { return 0.3 * subject_.distance; }
+  double axis_length() const { return subject_.axes ? std::max(1.3, 0.25 * subject_.distance) : 1.15; }
+  double axis_size() const {
+    return subject_.axes ? 0.3 * subject_.distance : std::max(0.5, 0.3 * shown_distance());
+  }
 
   /// An axis of the viewer in the picture, from its middle.
-  void picture_axis(View& view, const Known& known, int number, dvec2 way) const {
+  void picture_axis(View& view, int number, dvec2 way) const {
     const std::string name(axis_names[static_cast<std::size_t>(number)]);
-    const Role role = number == known.newest ? Role::current : Role::accepted;
     const dvec2 from = seen_place.centre();
-    add_arrow(view, "picture axis " + name, role, from, from + way, axis_name(words_, number));
+    add_arrow(view, "picture axis " + name, axis_role(number), from, from + way, axis_name(words_, number));
   }
 
   /// What the picture shows round its middle, the target: the letter, where it is in front.
@@ -486,7 +451,7 @@ class Drawing {
   }
   /// From the eye.
   void arrow(View& view, const std::string& id, Role role, dvec3 way, std::string name, bool dashed) const {
-    const dvec2 from = world_.at(flat(subject_.eye)), to = world_.at(flat(subject_.eye + way));
+    const dvec2 from = world_.at(flat(shown_eye())), to = world_.at(flat(shown_eye() + way));
     view.add({id, role, Stroke{from, to, true, dashed}});
     view.add({id + " name", role, Label{to, std::move(name)}});
   }
