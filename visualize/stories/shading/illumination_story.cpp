@@ -32,11 +32,12 @@ std::vector<Field> facts_of(const dvec3& colour) {
 class PlaceStory
     : public Past<AmbientAdded<double>, LampTaken<double>, LightAdded<double>, Finished<double>> {
  public:
-  PlaceStory(const Words& words, const Subject& subject, PlaceDrawing drawing, Mirror mirror, Fault fault,
-             Right right)
+  PlaceStory(const Words& words, const Subject& subject, PlaceDrawing drawing, Balls balls, Mirror mirror,
+             Fault fault, Right right)
       : words_(words),
         subject_(subject),
         drawing_(std::move(drawing)),
+        balls_(std::move(balls)),
         mirror_(mirror),
         fault_(fault),
         right_(std::move(right)) {}
@@ -116,7 +117,10 @@ class PlaceStory
                       {"right", short_colour(right_.sum)}}};
   }
 
-  View draw() const {
+  View draw() const { return drawing_.with_balls(vectors(), balls_); }
+
+ private:
+  View vectors() const {
     View view;
     const bool ended = now<Finished<double>>();
     const LampTaken<double>* taken = ended ? nullptr : last<LampTaken<double>>();
@@ -137,7 +141,6 @@ class PlaceStory
     return view;
   }
 
- private:
   /// Differences of colours that a figure shows.
   static constexpr double least_off = 5e-4;
 
@@ -210,6 +213,7 @@ class PlaceStory
   const Words& words_;
   const Subject& subject_;
   const PlaceDrawing drawing_;
+  const Balls balls_;
   const Mirror mirror_;
   const Fault fault_;
   const Right right_;
@@ -258,7 +262,7 @@ void tell_place(Narrator& narrator) {
   for (const Right* run : {&right, &own}) {
     for (const auto& lamp : run->lamps) below = below || lamp.n_dot_l < 0;
   }
-  narrator.paper(place_paper_width, place_paper_height);
+  lay_paper(narrator, place_paper_width, place_paper_height);
   narrator.trace().subtitle = narrator.words().count("subtitle", std::ssize(subject.lights));
   narrator.columns(
       {{"lamp", false}, {"f"}, {"NL"}, {reflects ? "RV" : "NH"}, {"diffuse"}, {"specular"}, {"sum"}});
@@ -267,9 +271,13 @@ void tell_place(Narrator& narrator) {
                    {Role::accepted, fault == Fault::none ? "scattered" : "scattered.right"},
                    {Role::measure, "highlight"},
                    {Role::rejected, "rejected"}});
-  PlaceStory story(narrator.words(), subject,
-                   PlaceDrawing(narrator.words(), subject, mirror, below, brightest_of(own, right)), mirror,
-                   fault, right);
+  const PlaceDrawing drawing(narrator.words(), subject, mirror, below, brightest_of(own, right));
+  const Balls balls(subject, drawing.left(), [&](dvec3 normal) {
+    Subject turned = subject;
+    turned.normal = normal;
+    return run(turned, method, Unobserved{});
+  });
+  PlaceStory story(narrator.words(), subject, drawing, balls, mirror, fault, right);
   narrator.handles("lights", [&](dvec3 position) {
     return story.drawing().lamp_at(moved_to(position, subject.lights[0], narrator.arguments()));
   });

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "core/arithmetic/elementary.hpp"
-#include "figure/tone_of.hpp"
-#include "stories/shading/illumination/subject.hpp"
+#include "stories/shading/illumination/balls.hpp"
 
 namespace gradus::illumination {
 
-inline constexpr int place_paper_width = 32, place_paper_height = 26;
+/// In units; below the vectors stand balls.
+inline constexpr int place_paper_width = 32, place_paper_height = 35;
 
 /// Part of the colour as the bar has it.
 struct Piece {
@@ -45,7 +45,7 @@ class PlaceDrawing {
         subject_(subject),
         mirror_(mirror),
         from_below_(from_below),
-        origin_(11.2, from_below ? 12.6 : 4.4),
+        origin_(11.2, (with_range() ? 13 : 9.6) + (from_below ? 9.6 : 0)),
         length_(from_below ? 10.2 : 11.6),
         brightest_(brightest) {
     // The first lamp that has a side stands on the left
@@ -62,11 +62,42 @@ class PlaceDrawing {
   /// the place itself.
   std::optional<dvec2> lamp_at(const Light& light) const {
     const dvec3 l = towards(light, 0, subject_.place).first;
-    return l == dvec3{0} ? std::nullopt : std::optional(lamp_tip(angle(l)));
+    return l == dvec3{0} ? std::nullopt : std::optional(in_cells(lamp_tip(angle(l))));
   }
   std::optional<dvec2> eye_at(dvec3 eye) const {
     const dvec3 v = unit_vector(eye - subject_.place);
-    return v == dvec3{0} ? std::nullopt : std::optional(tip(angle(v), 1));
+    return v == dvec3{0} ? std::nullopt : std::optional(in_cells(tip(angle(v), 1)));
+  }
+  dvec3 left() const { return left_; }
+
+  /// The drawing in cells, and below it the terms as balls: ambient + scattered + highlight = sum.
+  View with_balls(View view, const Balls& balls) const {
+    constexpr double side = double(Balls::side) / cells_of_unit, pitch = (32 - side) / 3;
+    constexpr std::array<const char*, Balls::count> names{"legend.ambient", "legend.scattered",
+                                                          "legend.highlight", "column.sum"};
+    if (balls.empty()) return in_cells(std::move(view));
+    for (std::size_t k = 0; k < Balls::count; ++k) {
+      const double left = pitch * static_cast<double>(k);
+      const std::string id = fmt::format("x ball {}", k);
+      view.add({id + " name", Role::guide,
+                Text{{left + side / 2 - 0.5, side + 0.4}, words_.say(names[k]), Align::centre, true}});
+      if (k > 0)
+        view.add(
+            {id + " sign", Role::guide,
+             Text{
+                 {left - (pitch - side) / 2 - 0.5, side / 2 - 0.5}, k < 3 ? "+" : "=", Align::centre, true}});
+    }
+    view = in_cells(std::move(view));
+    for (std::size_t k = 0; k < Balls::count; ++k) {
+      const ivec2 corner(dvec2{pitch * static_cast<double>(k) * cells_of_unit, 0});
+      balls.add(view, k, corner);
+      if (!balls.own()) continue;
+      Path ring{{}, true, false, true};
+      for (int i = 0; i < 24; ++i)
+        ring.points.push_back(dvec2(corner) + *balls.own() - 0.5 + 3.5 * leaning(15 * i));
+      view.add({fmt::format("x ball {} place", k), Role::input, std::move(ring)});
+    }
+    return view;
   }
 
   /// The angle of a direction, on its side.
@@ -123,7 +154,12 @@ class PlaceDrawing {
     const auto size = [&](double way) {
       return gradus::pow(cosine(reflects ? way - axis : 0.5 * (way + theta)), power);
     };
-    if (!reflects || s.cosine > 0) lobe(view, role, size);
+    if (!reflects || s.cosine > 0) {
+      lobe(view, role, size);
+      // Its tip is the mirrored ray; on the side where V isn't
+      const double side = wrapped(seen + theta) > 0 ? -9 : 9;
+      view.add({"b lobe name", role, Label{tip(-theta + side, 0.72), words_.say("lobe.name")}});
+    }
     arrow(view, "r mirror", role, axis, reflects ? "R" : "H");
     add_viewer(view, seen);
     const double from = reflects ? axis : 0, to = reflects ? seen : axis;
@@ -172,7 +208,6 @@ class PlaceDrawing {
     }
     view.add({"t scale", Role::guide, Stroke{{x - 0.15, height(0)}, {x - 0.15, height(brightest_)}}});
     view.add({"t frame", Role::guide, Stroke{{x - 0.2, height(0)}, {x + (grey ? 3.4 : 4.1), height(0)}}});
-    if (sum.x == sum.x) add_swatch(view, sum, static_cast<int>(x));
     view.add({"t sum", Role::guide,
               Text{{x + (grey ? 1.6 : 1.9), height(brightest_) + 1.3},
                    words_.say("sum", {{"colour", short_colour(sum)}})}});
@@ -181,6 +216,12 @@ class PlaceDrawing {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
  private:
+  /// Whether a lamp's range is drawn, below the ground.
+  bool with_range() const {
+    return std::ranges::any_of(subject_.lights, [](const Light& light) {
+      return light.kind == Light::Kind::point && light.range < 1e300;
+    });
+  }
   static double cosine(double degrees) { return std::max(0.0, gradus::cos(degrees / degrees_per_radian)); }
   static double wrapped(double degrees) { return degrees - 360 * std::round(degrees / 360); }
   dvec2 tip(double degrees, double part) const { return origin_ + part * length_ * leaning(degrees); }
@@ -242,7 +283,8 @@ class PlaceDrawing {
     view.add({"c axis", role, Stroke{lamp, way(off), true, true, true}});
   }
   void add_range(View& view, const LampTaken<double>& t, const Light& light) const {
-    const double most = 1.15 * std::max(light.range, t.arrival.distance), y = from_below_ ? 1.2 : 1.6;
+    const double most = 1.15 * std::max(light.range, t.arrival.distance);
+    const double y = 10.2;
     const NumberLine line({1.5, y}, {21, y}, 0, most);
     line.add_to(view, "d", "d");
     const Role role = t.arrival.window > 0 ? Role::current : Role::rejected;
@@ -281,14 +323,6 @@ class PlaceDrawing {
     constexpr std::array<const char*, 3> names{"R", "G", "B"};
     view.add({fmt::format("t channel {}", channel), Role::guide,
               Text{{x + 0.5 * wide, height(0) - 0.9}, names[static_cast<std::size_t>(channel)]}});
-  }
-  void add_swatch(View& view, const dvec3& sum, int x) const {
-    const Rgba8 colour = tone_of(sum);
-    const int y = from_below_ ? 1 : 0;
-    for (int row = 0; row < 2; ++row) {
-      for (int column = 0; column < 4; ++column)
-        view.cells.insert_or_assign({row + y, x + column}, CellLook{Role::result, "", colour});
-    }
   }
 
   const Words& words_;

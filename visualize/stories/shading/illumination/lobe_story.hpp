@@ -1,5 +1,5 @@
 #pragma once
-// How large and how sharp a highlight is: (R.V)^n round R for several n, as lobes and as curves.
+// How large and how sharp a highlight is: (R.V)^n round R for several n, as lobes, as curves and on balls.
 
 #include "core/arithmetic/elementary.hpp"
 #include "stories/past.hpp"
@@ -15,7 +15,9 @@ struct LobeDrawn {
 
 class LobeStory : public Past<steps::Started, LobeDrawn, steps::Finished> {
  public:
-  LobeStory(const Words& words, double theta) : words_(words), theta_(theta) {}
+  /// balls: one for each exponent.
+  LobeStory(const Words& words, double theta, std::vector<Balls> balls)
+      : words_(words), theta_(theta), balls_(std::move(balls)) {}
 
   Event say(const steps::Started&) const {
     return {.text = "lobes", .words = {{"theta", fmt::format("{:.0f}°", theta_)}}};
@@ -39,6 +41,7 @@ class LobeStory : public Past<steps::Started, LobeDrawn, steps::Finished> {
 
   /// Where the direction of a lamp at this angle begins.
   static dvec2 start_of(double at) { return tip(at, 0.72); }
+  static constexpr int width = 38, height = 26;
 
   View draw() const {
     View view;
@@ -51,15 +54,26 @@ class LobeStory : public Past<steps::Started, LobeDrawn, steps::Finished> {
     arrow("n normal", Role::input, 0, "N");
     arrow("l way", Role::input, theta_, "L");
     arrow("r mirror", Role::measure, -theta_, "R");
-    const Panel plot({{21.6, 3.2}, {35.6, 16}}, {{0, 0}, {90, 1}}, Panel::Fit::stretched);
+    const Panel plot({{21.6, 11.4}, {35.6, 24.2}}, {{0, 0}, {90, 1}}, Panel::Fit::stretched);
     add_axes(view, plot, "p", {"α", ""}, 5);
     view.add({"q half", Role::guide, Stroke{plot.at({0, 0.5}), plot.at({90, 0.5}), false, true, true}});
-    for (std::size_t i = 0; i < all<LobeDrawn>().size(); ++i) add_lobe(view, plot, i);
+    const std::size_t drawn = all<LobeDrawn>().size();
+    for (std::size_t i = 0; i < drawn; ++i) add_lobe(view, plot, i);
+    const double side = double(Balls::side) / cells_of_unit,
+                 pitch = (width - side) / std::max(1.0, double(balls_.size()) - 1);
+    const auto left = [&](std::size_t i) { return std::min(pitch, 1.3 * side) * static_cast<double>(i); };
+    for (std::size_t i = 0; i < drawn; ++i)
+      view.add(
+          {fmt::format("x ball {}", i), Role::guide,
+           Text{{left(i) + side / 2 - 0.5, side + 0.4}, "n = " + figure_real(all<LobeDrawn>()[i].exponent)}});
+    view = in_cells(std::move(view));
+    for (std::size_t i = 0; i < drawn; ++i)
+      balls_[i].add(view, Balls::count - 1, ivec2(dvec2{left(i) * cells_of_unit, 0}));
     return view;
   }
 
  private:
-  static constexpr dvec2 origin{8.6, 2.6};
+  static constexpr dvec2 origin{8.6, 10.8};
   static constexpr double length = 12.5;
 
   static dvec2 tip(double at, double part) { return origin + part * length * leaning(at); }
@@ -88,7 +102,20 @@ class LobeStory : public Past<steps::Started, LobeDrawn, steps::Finished> {
 
   const Words& words_;
   const double theta_;
+  const std::vector<Balls> balls_;
 };
+
+/// A ball that shows the highlight well, seen along N.
+inline Balls ball_of(Subject subject, double exponent) {
+  subject.eye = subject.place + subject.normal;
+  subject.surface = {dvec3{0.05}, dvec3{0.35}, dvec3{0.6}, exponent};
+  const Light lamp = subject.lights[0];
+  const dvec3 way = towards(lamp, 0, subject.place).first;
+  return Balls(subject, way - glm::dot(way, subject.normal) * subject.normal, [&](dvec3 normal) {
+    return phong(subject.place, normal, subject.eye, subject.surface, std::span(&lamp, 1), dvec3{1},
+                 AllSeen{});
+  });
+}
 
 inline void tell_lobes(Narrator& narrator) {
   const Arguments& arguments = narrator.arguments();
@@ -98,7 +125,7 @@ inline void tell_lobes(Narrator& narrator) {
   };
   const double cosine = cosine_of(subject.lights[0]);
   if (!(cosine > 0)) refuse(arguments, {"lights", "normal"}, "expected a first lamp in front of the surface");
-  narrator.paper(38, 18);
+  lay_paper(narrator, LobeStory::width, LobeStory::height);
   narrator.trace().subtitle = narrator.words().say("lobes.subtitle");
   narrator.columns({{"n"}, {"half"}});
   narrator.legend({{Role::input, "directions"},
@@ -106,9 +133,12 @@ inline void tell_lobes(Narrator& narrator) {
                    {Role::current, "lobe"},
                    {Role::past, "before"},
                    {Role::result, "lobes"}});
-  LobeStory story(narrator.words(), degrees_of(cosine));
+  std::vector<Balls> balls;
+  for (const Tuple& tuple : arguments.tuples("exponents")) balls.push_back(ball_of(subject, tuple[0].value));
+  LobeStory story(narrator.words(), degrees_of(cosine), std::move(balls));
   narrator.handles("lights", [&](dvec3 position) {
-    return LobeStory::start_of(degrees_of(cosine_of(moved_to(position, subject.lights[0], arguments))));
+    const Light lamp = moved_to(position, subject.lights[0], arguments);
+    return in_cells(LobeStory::start_of(degrees_of(cosine_of(lamp))));
   });
   // Of several lamps the first alone is drawn
   std::erase_if(narrator.trace().handles, [](const Handle& handle) { return handle.numbers[0] > 0; });
