@@ -52,7 +52,8 @@ class Story {
     const ivec2 texel = subject_.nearest_texel(m.uv);
     View view = coloured(subject_.texel(texel));
     paper_.mark_texel(view, texel);
-    paper_.mark_sample(view, m.uv);
+    paper_.mark_place(view, m.uv);
+    paper_.mark_footprint(view, m.uv, looked_up(bent_).second, Role::current);
     if (subject_.nearest_texel(other_place()) != texel) paper_.mark_other(view, other_place());
     board.milestone(std::move(view));
     tells(board, std::abs(m.uv.x - other_place().x) + std::abs(m.uv.y - other_place().y));
@@ -85,7 +86,7 @@ class Story {
   void show(Board& board, const Picked<double>& p) {
     View view = coloured(p.colour);
     paper_.mark_texel(view, p.texel);
-    paper_.mark_sample(view, p.uv);
+    paper_.mark_place(view, p.uv);
     board.milestone(std::move(view));
     tells_of_middle(board);
   }
@@ -142,7 +143,7 @@ class Story {
     View view = base_;
     paper_.mark_pixel(view, at_.pixel);
     paper_.mark_sample(view, at_.uv);
-    paper_.mark_footprint(view, at_.uv, c.footprint);
+    paper_.mark_footprint(view, at_.uv, c.footprint, Role::accepted);
     board.milestone(std::move(view));
     if (c.level.lower >= 1 && c.level.part > 0 && at_.pixel.x >= subject_.size.x / 2 - 1)
       tells(board, c.level.lower == 1 ? 2 : 1);
@@ -219,15 +220,17 @@ class Story {
   double least_w() const { return std::ranges::min(subject_.corners, {}, &dvec3::z).z; }
   double most_w() const { return std::ranges::max(subject_.corners, {}, &dvec3::z).z; }
   /// Where the other way would look: linear in the picture for the right one, on the surface for the exhibit.
-  dvec2 other_place() const {
-    dvec2 found = at_.uv;
-    const auto take = [&](ivec2, dvec2 uv, const auto&) { found = uv; };
+  dvec2 other_place() const { return looked_up(!bent_).first; }
+  /// The place of the pixel at hand in the texture, and what it covers there.
+  std::pair<dvec2, Footprint<double>> looked_up(bool bent) const {
+    std::pair<dvec2, Footprint<double>> found{at_.uv, {}};
+    const auto take = [&](ivec2, dvec2 uv, const Footprint<double>& footprint) { found = {uv, footprint}; };
     const Window pixel{at_.pixel, at_.pixel};
     each_place(subject_, [&](const Triangle& triangle, const Corners<double>& corners) {
-      if (bent_) {
-        perspective_correct(triangle, corners, pixel, take);
-      } else {
+      if (bent) {
         affine(triangle, corners, pixel, take);
+      } else {
+        perspective_correct(triangle, corners, pixel, take);
       }
     });
     return found;

@@ -49,9 +49,9 @@ class Paper {
     view.add({"a u", Role::guide, Stroke{lower + down, dvec2{upper.x, lower.y} + down, true}});
     view.add({"a v", Role::guide, Stroke{lower - left, dvec2{lower.x, upper.y} - left, true}});
     view.add({"a u name", Role::guide,
-              Text{{0.5 * (lower.x + upper.x), lower.y + 1.5 * unit_}, words.symbol("u")}});
+              Text{dvec2{upper.x, lower.y} + down + 0.7 * dvec2{unit_, 0}, words.symbol("u")}});
     view.add({"a v name", Role::guide,
-              Text{{lower.x - 1.4 * unit_, 0.5 * (lower.y + upper.y)}, words.symbol("v")}});
+              Text{dvec2{lower.x, upper.y} - left - 0.7 * dvec2{0, unit_}, words.symbol("v")}});
     names_ = {words.say("texture")};
     for (int k = 1; k < levels_of(subject_.texture.size); ++k)
       names_.push_back(words.say("level", {{"k", k}}));
@@ -93,6 +93,17 @@ class Paper {
   void mark_sample(View& view, dvec2 uv) const {
     view.add({"s sample", Role::current, Dot{place(one_tile(uv))}});
   }
+  /// The same with u and v at the axes.
+  void mark_place(View& view, dvec2 uv) const {
+    mark_sample(view, uv);
+    const dvec2 at = place(one_tile(uv)), corner = place({0, 0});
+    const dvec2 below{at.x, corner.y + 0.6 * unit_}, beside{corner.x - 0.6 * unit_, at.y};
+    const auto number = [](double x) { return figure_real(std::round(1000 * x) / 1000); };
+    view.add({"s u", Role::current, Stroke{at, below, false, true, true}});
+    view.add({"s v", Role::current, Stroke{at, beside, false, true, true}});
+    view.add({"s u number", Role::current, Text{below + dvec2{0, 0.9 * unit_}, number(uv.x)}});
+    view.add({"s v number", Role::current, Text{beside - dvec2{0.4 * unit_, 0}, number(uv.y), Align::right}});
+  }
   /// Where another way would have looked.
   void mark_other(View& view, dvec2 uv) const {
     view.add({"r other", Role::rejected, Dot{place(one_tile(uv)), true}});
@@ -110,14 +121,14 @@ class Paper {
     view.add({id + " weight", Role::candidate, Label{corner + 0.5 * size, weight}});
   }
   /// What the pixel covers, as a parallelogram round its place; nothing where that is no part of the texture.
-  void mark_footprint(View& view, dvec2 uv, const Footprint<double>& footprint) const {
+  void mark_footprint(View& view, dvec2 uv, const Footprint<double>& footprint, Role role) const {
     const dvec2 x = 0.5 * footprint.along_x, y = 0.5 * footprint.along_y, at = one_tile(uv);
     Path path{{place(at - x - y), place(at + x - y), place(at + x + y), place(at - x + y)}, true};
     for (const dvec2 p : path.points) {
       const dvec2 off = glm::abs(p - place(dvec2(0.5)));
       if (std::max(off.x, off.y) > 0.5 * side_ + 1) return;
     }
-    view.add({"f footprint", Role::accepted, path});
+    view.add({"f footprint", role, path});
   }
 
  private:
