@@ -85,9 +85,11 @@ class FacesPicture {
     const HiddenLines lines(rings, distant_viewer(reader_.towards), size);
     const auto flat = [&](dvec3 p) { return reader_.flat(p); };
     const std::vector<Ring2> waiting = mapped(ground, [&](const Ring& ring) { return mapped(ring, flat); });
+    // A name is as wide as this: so far it keeps away from their outlines
+    const double aside = 0.05 * size;
     const auto is_clear = [&](dvec3 p) {
-      return std::ranges::all_of(waiting,
-                                 [&](const Ring2& ring) { return depth_inside(ring, reader_.flat(p)) < 0; });
+      return std::ranges::all_of(
+          waiting, [&](const Ring2& ring) { return depth_inside(ring, reader_.flat(p)) < -aside; });
     };
     for (std::size_t i = 0; i < faces.size(); ++i) {
       if (const auto place = faces_subject::seen_place(faces[i].ring, lines, is_clear))

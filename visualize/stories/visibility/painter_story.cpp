@@ -34,10 +34,9 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
         subject_(subject),
         key_(std::move(key)),
         names_(subject.parts),
-        beside_place_(place_below(pieces)),
         picture_(subject),
-        plan_(subject, beside_place_),
-        order_(keys_of_all()) {}
+        plan_(subject, beside_place),
+        order_(subject, std::min(pieces, most_cards)) {}
 
   template <class Step>
   void take(const Step& step) {
@@ -71,7 +70,8 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
                                              : "taken",
             .facts = {{"others", static_cast<std::int64_t>(t.others)}},
             .words = {{"p", names_(t.p)}, {"key", key_of(t.p).key}},
-            .key = names_(t.p)};
+            .key = names_(t.p),
+            .phase = phase()};
   }
   Event say(const Compared<double>& c) const {
     constexpr std::array<std::string_view, 7> texts{"depths",   "across", "upright", "behind",
@@ -92,13 +92,15 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
                       {"beyond", beyond(c.q, c.p)}},
             .row = {names_(c.p), names_(c.q), answers[test]},
             .key = names_(c.p),
+            .phase = phase(),
             .decides = Decision{words_.say("question", {{"p", names_(c.p)}, {"q", names_(c.q)}}), answers,
                                 test, branches[test]}};
   }
   Event say(const Moved<double>& m) const {
     return {.text = "moved",
             .words = {{"p", names_(m.p)}, {"q", names_(m.q)}, {"number", painted().size() + 1}},
-            .key = names_(m.p)};
+            .key = names_(m.p),
+            .phase = phase()};
   }
   Event say(const Cut<double>& c) const {
     const std::string& q = names_(last<Compared<double>>()->q);
@@ -112,10 +114,12 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
                       {"whole", names_(c.whole)},
                       {"front", names_(c.in_front)},
                       {"behind", names_(c.behind)}},
-            .key = names_(c.p)};
+            .key = names_(c.p),
+            .phase = phase()};
   }
   Event say(const Inserted<double>&) const {
-    return {.text = "sorted.again", .words = {{"order", order_text()}}, .line = putting_back_};
+    return {
+        .text = "sorted.again", .words = {{"order", order_text()}}, .phase = phase(), .line = putting_back_};
   }
   Event say(const Drawn<double>& d) const {
     const std::int64_t number = std::ssize(painted());
@@ -123,7 +127,8 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     Event event{.text = waiting_.empty() ? "drawn.last" : "drawn",
                 .facts = {{"number", number}},
                 .words = {{"p", name}},
-                .key = name};
+                .key = name,
+                .phase = phase()};
     if (key_.tests) return event;
     const double key = key_of(d.polygon).key;
     const auto wrong = wrong_now();
@@ -185,6 +190,10 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
   void no_longer_waits(const DPolygon& polygon) { std::erase_if(waiting_, same_as(polygon)); }
 
   std::vector<DPolygon> painted() const { return mapped(all<Drawn<double>>(), &Drawn<double>::polygon); }
+  /// Which place in the order is being filled.
+  std::string phase() const {
+    return words_.say("phase.place", {{"number", painted().size() + (now<Drawn<double>>() ? 0 : 1)}});
+  }
   bool has_moved(const std::string& name) const {
     return std::ranges::any_of(all_since<Moved<double>, Inserted<double>>(),
                                [&](const Moved<double>& m) { return names_(m.q) == name; });
@@ -213,18 +222,9 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
         std::ranges::minmax(mapped(polygon.corners, [&](dvec3 p) { return key_.of_place(subject_, p); }));
     return {least, most};
   }
-  std::pair<double, double> keys_of_all() const {
-    auto [least, most] = keys_of(subject_.polygons.front());
-    for (const DPolygon& polygon : subject_.polygons) {
-      least = std::min(least, nearest(polygon));
-      most = std::max(most, farthest(polygon));
-    }
-    return {least, most};
-  }
   Entry key_of(const DPolygon& polygon) const {
-    const auto [least, most] = keys_of(polygon);
-    const double key = key_.of_mean ? key_.of_place(subject_, mean(polygon)) : most;
-    return {names_(polygon), least, most, key, role_of(polygon)};
+    const double key = key_.of_mean ? key_.of_place(subject_, mean(polygon)) : farthest(polygon);
+    return {names_(polygon), key, role_of(polygon)};
   }
   double nearest(const DPolygon& polygon) const { return keys_of(polygon).first; }
   double farthest(const DPolygon& polygon) const { return keys_of(polygon).second; }
@@ -289,12 +289,10 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     std::vector<DPolygon> polygons = painted();
     const std::size_t drawn = polygons.size();
     polygons.insert(polygons.end(), waiting_.begin(), waiting_.end());
-    const std::size_t rows = std::min(polygons.size(), most_rows);
-    const std::size_t first = std::min(drawn == 0 ? 0 : drawn - 1, polygons.size() - rows);
-    std::vector<Entry> entries;
-    for (std::size_t i = first; i < first + rows; ++i) entries.push_back(key_of(polygons[i]));
-    order_.add(drawing, entries, first, words_.say(key_.caption));
-    if (has_passed(Test::depths)) order_.add_limit(drawing, nearest(*p()), rows);
+    const std::size_t cards = std::min(polygons.size(), most_cards);
+    const std::size_t first = std::min(drawn == 0 ? 0 : drawn - 1, polygons.size() - cards);
+    const auto entries = mapped(polygons, [&](const DPolygon& polygon) { return key_of(polygon); });
+    order_.add(drawing, polygons, entries, first, cards, words_.say(key_.caption));
   }
   void add_beside(Drawing& drawing) const {
     if (has_passed(Test::behind) || has_passed(Test::in_front) || has_passed(Test::failed) ||
@@ -316,7 +314,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
         plan_.add_distance(drawing, mean(polygon), Role::measure, names_(polygon),
                            figure_real(key_of(polygon).key));
     }
-    add_caption(drawing, "z caption", beside_place_, words_.say("caption.above"), 1, true);
+    add_caption(drawing, "z caption", beside_place, words_.say("caption.above"), 1, true);
   }
   void add_edge_on(Drawing& drawing) const {
     const DPolygon& of = has_passed(Test::behind) ? compared()->q : *p();
@@ -327,22 +325,21 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     if (bsp_tree::side_of_eye(plane, subject_.view.eye) < 0) std::swap(plane.b, plane.c);
     std::vector<DPolygon> all_shown = shown;
     all_shown.push_back(of);
-    const EdgeOnPicture picture({beside_place_.lower + dvec2{0.4, 0}, beside_place_.upper - dvec2{0, 1.2}},
+    const EdgeOnPicture picture({beside_place.lower + dvec2{0.4, 0}, beside_place.upper - dvec2{0, 1.2}},
                                 plane, faces_subject::Reader(-subject_.forward), all_shown);
     picture.add_plane(drawing, words_.say("plane", {{"name", names_(of)}}));
     for (const DPolygon& polygon : shown)
       picture.add_polygon(drawing, polygon, role_of(polygon), names_(polygon), true);
-    add_caption(drawing, "z caption", beside_place_, words_.say("caption.edge_on"), 1, true);
+    add_caption(drawing, "z caption", beside_place, words_.say("caption.edge_on"), 1, true);
   }
 
   const Words& words_;
   const Subject& subject_;
   const KeyKind key_;
   PartNames names_;
-  const Rectangle beside_place_;
   Picture picture_;
   PlanPicture plan_;
-  OrderPicture order_;
+  OrderStrip order_;
   std::vector<DPolygon> waiting_{};  ///< the first is farthest
   int putting_back_ = 0;
 };

@@ -69,18 +69,12 @@ inline Subject subject_of(const Arguments& arguments) {
   return subject;
 }
 
-/// Of the paper: the picture, and beside it the order.
-inline constexpr Rectangle picture_place{{1.6, 2.2}, {19.6, 22.6}}, order_place{{21.4, 12.6}, {35.6, 23.6}};
+/// Of the paper: the picture, and beside it the order above a second look at the faces.
+inline constexpr Rectangle picture_place{{1.6, 2.2}, {19.6, 22.6}}, order_place{{21, 15.8}, {35.6, 23.6}},
+    beside_place{{22, 1.2}, {34.6, 12.6}};
 
-/// Rows of the order that are shown, and their height.
-inline constexpr std::size_t most_rows = 5;
-inline constexpr double row_height = 2;
-
-/// A second look at the faces, below so many rows of the order.
-inline Rectangle place_below(std::size_t rows) {
-  const double upper = order_place.upper.y - 5 - row_height * static_cast<double>(std::min(rows, most_rows));
-  return {{22.6, 1.2}, {34.6, upper}};
-}
+/// Cards of the order that are shown.
+inline constexpr std::size_t most_cards = 5;
 
 // --- The picture
 
@@ -235,51 +229,99 @@ class Picture {
 
 // --- The order
 
-/// A row of the order: what it is called, and its key, within the least and the most of its corners.
+/// A sheet of the order: what it is called, its key, and how it looks.
 struct Entry {
   std::string name;
-  double least, most, key;
+  double key;
   Role role;
 };
 
-/// The order from above to below: bars along the axis of keys, the far side on the right.
-class OrderPicture {
- public:
-  /// keys: the least and the most of all.
-  explicit OrderPicture(std::pair<double, double> keys)
-      : least_(keys.first), most_(keys.second > keys.first ? keys.second : keys.first + 1) {}
-
-  /// first: the number of the first row.
-  void add(Drawing& drawing, const std::vector<Entry>& rows, std::size_t first,
-           const std::string& caption) const {
-    const auto& [lower, upper] = order_place;
-    drawing.add({"l caption", Role::guide, Text{{(left + right) / 2, upper.y - 0.5}, caption}});
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Entry& row = rows[i];
-      const double y = row_at(i);
-      const std::string id = fmt::format("l {:03}", first + i);
-      drawing.add({id + " number", Role::guide, Text{{lower.x + 0.5, y}, fmt::format("{}.", first + i + 1)}});
-      drawing.add({id + " name", row.role, Text{{lower.x + 2.3, y}, row.name}});
-      drawing.add({id + " bar", row.role, Stroke{{at(row.least), y}, {at(row.most), y}}});
-      drawing.add({id + " key", row.role, Dot{{at(row.key), y}}});
-      drawing.add({id + " value", row.role, Text{{right + 0.7, y}, figure_real(row.key), Align::left}});
+/// The parts of a line, from 0 to 1, that are in none of some convex rings.
+inline std::vector<std::pair<double, double>> uncovered(dvec2 a, dvec2 b, std::span<const Ring2> rings) {
+  std::vector<std::pair<double, double>> parts{{0, 1}};
+  for (const Ring2& ring : rings) {
+    const double turn = std::copysign(1.0, doubled_area_of(ring));
+    double enter = 0, leave = 1;
+    for (const auto& [p, q] : sides_of(ring)) {
+      const auto inside = [&, p = p, q = q](dvec2 x) {
+        return turn * ((q.x - p.x) * (x.y - p.y) - (q.y - p.y) * (x.x - p.x)) - 1e-9;
+      };
+      const double from = inside(a), to = inside(b);
+      if (from <= 0 && to <= 0) leave = -1;
+      if (from <= 0 && to > 0) enter = std::max(enter, from / (from - to));
+      if (from > 0 && to <= 0) leave = std::min(leave, from / (from - to));
     }
+    if (enter >= leave) continue;
+    std::vector<std::pair<double, double>> left;
+    for (const auto& [from, to] : parts) {
+      if (from < std::min(to, enter)) left.emplace_back(from, std::min(to, enter));
+      if (std::max(from, leave) < to) left.emplace_back(std::max(from, leave), to);
+    }
+    parts = std::move(left);
   }
-  /// A key that others are held against, in so many rows.
-  void add_limit(Drawing& drawing, double key, std::size_t rows) const {
-    const double x = at(key);
-    drawing.add(
-        {"m limit", Role::measure, Stroke{{x, row_at(0) + 0.7}, {x, row_at(rows - 1) - 0.7}, false, true}});
+  return parts;
+}
+
+/// The order as a strip of cards: on each the canvas once its sheet is painted, over all that come before.
+class OrderStrip {
+ public:
+  /// cards: so many at most.
+  OrderStrip(const Subject& subject, std::size_t cards)
+      : subject_(subject),
+        extent_(extent_around(mapped(subject.points, [&](dvec3 p) { return subject.seen(p); }))),
+        wide_(order_place.size().x / static_cast<double>(std::max<std::size_t>(cards, 3))) {}
+
+  /// order: all sheets with their entries. first, count: those that have cards. caption: what the keys are.
+  void add(Drawing& drawing, const std::vector<DPolygon>& order, const std::vector<Entry>& entries,
+           std::size_t first, std::size_t count, const std::string& caption) const {
+    std::vector<Sheet> sheets;
+    for (std::size_t i = 0; i < first + count; ++i) {
+      const Entry& entry = entries[i];
+      sheets.push_back({subject_.seen(order[i]), entry.role});
+      if (i >= first) add_card(drawing, i - first, i + 1, entry, sheets);
+      if (entry.role != Role::past) sheets.back().role = Role::input;
+    }
+    const dvec2 below{order_place.lower.x + wide_ * static_cast<double>(count) / 2,
+                      order_place.lower.y + 0.3};
+    drawing.add({"l caption", Role::guide, Text{below, caption}});
   }
 
  private:
-  static constexpr double left = order_place.lower.x + 3.8, right = order_place.upper.x - 3.4;
-  static double row_at(std::size_t i) {
-    return order_place.upper.y - 2.2 - row_height * static_cast<double>(i);
+  struct Sheet {
+    Ring2 ring;  ///< on the screen
+    Role role;
+  };
+  void add_card(Drawing& drawing, std::size_t at, std::size_t number, const Entry& entry,
+                const std::vector<Sheet>& sheets) const {
+    const double left = order_place.lower.x + wide_ * static_cast<double>(at), middle = left + wide_ / 2;
+    const Rectangle card{{left + 0.2, order_place.lower.y + 2.3},
+                         {left + wide_ - 0.2, order_place.upper.y - 1.2}};
+    const std::string id = fmt::format("l {:03} ", number);
+    drawing.add({id + "card", Role::guide, Path{card.corners(), true}});
+    drawing.add({id + "name", entry.role,
+                 Text{{middle, order_place.upper.y - 0.4}, fmt::format("{}. {}", number, entry.name)}});
+    drawing.add({id + "value", entry.role, Text{{middle, order_place.lower.y + 1.6}, brief(entry.key)}});
+    const Panel panel({card.lower + 0.25, card.upper - 0.25}, extent_);
+    const std::vector<Ring2> rings = mapped(sheets, [&](const Sheet& sheet) { return panel.at(sheet.ring); });
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      const Role role = sheets[i].role;
+      drawing.add({fmt::format("{}sheet {:03}", id, i), role, Area{{rings[i]}, 2}});
+      std::size_t line = 0;
+      for (const auto& [a, b] : sides_of(rings[i])) {
+        for (const auto& [from, to] : uncovered(a, b, std::span(rings).subspan(i + 1)))
+          drawing.add({fmt::format("{}side {:03} {:03}", id, i, line++), role,
+                       Stroke{a + from * (b - a), a + to * (b - a), false, false, i + 1 < rings.size()}});
+      }
+    }
   }
-  double at(double key) const { return left + (key - least_) / (most_ - least_) * (right - left); }
+  /// Three digits are enough to compare.
+  static std::string brief(double key) {
+    return figure_real(std::strtod(fmt::format("{:.3g}", key).c_str(), nullptr));
+  }
 
-  double least_, most_;
+  const Subject& subject_;
+  const Rectangle extent_;
+  const double wide_;
 };
 
 // --- From above
