@@ -6,6 +6,7 @@
 
 #include "stories/checking.hpp"
 #include "stories/past.hpp"
+#include "stories/visibility/back_face_culling/costs_story.hpp"
 #include "stories/visibility/back_face_culling/drawing.hpp"
 #include "visibility/back_face_culling/back_face_culling_notes.hpp"
 
@@ -47,6 +48,14 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
 
   dvec2 at(dvec3 p) const { return space_.at(p); }
 
+  /// Where a method is wrong; else fronts, and what stands among others that are told already.
+  double tells(const Judged<double>& j) const {
+    const double central = 1 / (1 + std::abs(static_cast<double>(j.face) -
+                                             std::floor(0.5 * static_cast<double>(subject_.faces.size()))));
+    const bool wrong = faulty_ && (j.sign > 0) != (right_[j.face] > 0);
+    return central + (j.sign > 0 ? 1 : 0) + (wrong ? 2 : 0);
+  }
+
   Event say(const steps::Started&) const {
     constexpr std::array<std::string_view, 4> texts{"started.product", "started.area", "started.determinant",
                                                     "started.depth"};
@@ -61,19 +70,22 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
                                          : "normal",
             .facts = fields_of(n.normal),
             .words = {{"name", name()}, {"N", n.normal}},
-            .key = name()};
+            .key = name(),
+            .phase = name()};
   }
   Event say(const ViewTaken<double>& v) const {
     return {.text = subject_.distant ? "view.distant" : "view",
             .facts = fields_of(v.view),
             .words = {{"name", name()}, {"V", v.view}, {"E", dvec3(subject_.eye)}, {"P", v.at}},
-            .key = name()};
+            .key = name(),
+            .phase = name()};
   }
   Event say(const TriangleAdded<double>& t) const {
     return {.text = t.corner == 1 ? "triangle.first" : "triangle",
             .facts = {{"area", t.area}, {"sum", t.sum}},
             .words = {{"name", name()}},
-            .key = name()};
+            .key = name(),
+            .phase = name()};
   }
   Event say(const Judged<double>& j) const {
     constexpr std::array<const char*, 3> branches{"back", "edge on", "front"};
@@ -88,6 +100,7 @@ class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<View
         .words = {{"name", name()}, {"answer", answers[side]}, {"what", faulty_ ? "2A" : "det"}},
         .row = {name(), j.value, answers[side]},
         .key = name(),
+        .phase = name(),
         .decides = Decision{words_.say("question", {{"name", name()}}), answers, side, branches[side]}};
     if (by_ == By::product) {
       event.words.push_back({"terms", terms()});
@@ -325,6 +338,64 @@ constexpr auto by_determinant = [](const auto&... with) { homogeneous<double>(wi
 constexpr auto by_division = [](const auto&... with) { after_division<double>(with...); };
 constexpr auto by_depth = [](const auto&... with) { eye_space_normal<double>(with...); };
 
+/// The signs that a method finds; none where corners have no place in its picture.
+template <By by, auto method, bool behind_too = false>
+std::vector<int> signs_by(const Subject& subject) {
+  std::vector<int> signs;
+  const auto watch = [&]<class Step>(const Step& step) {
+    if constexpr (std::same_as<Step, Judged<double>>) signs.push_back(step.sign);
+  };
+  const auto has_place = [&](double w) { return behind_too ? w != 0 : w > 1e-6 * subject.radius; };
+  if ((by == By::area || behind_too) && !subject.depths_are(has_place)) return signs;
+  const auto rings = seen_by<by>(subject);
+  if constexpr (by == By::product)
+    method(spans_of(rings), subject.eye, drop, watch);
+  else
+    method(spans_of(rings), drop, watch);
+  return signs;
+}
+
+struct CountedTest {
+  Cost cost;
+  std::vector<int> (*signs)(const Subject&);
+};
+constexpr std::array counted_tests{
+    CountedTest{{"screen_area", 0, 7, 0}, signs_by<By::area, by_area>},
+    CountedTest{{"misprinted_shoelace", 4, 0, 0}, signs_by<By::area, by_misprint>},
+    CountedTest{{"six_products", 4, 0, 0}, signs_by<By::area, by_six>},
+    CountedTest{{"after_division", 2, 7, 0}, signs_by<By::determinant, by_division, true>},
+    CountedTest{{"first_three_corners", 0, 0, 23}, signs_by<By::product, by_three>},
+    CountedTest{{"eye_space_normal", 0, 15, 0}, signs_by<By::depth, by_depth>},
+    CountedTest{{"homogeneous", 0, 15, 5}, signs_by<By::determinant, by_determinant>},
+    CountedTest{{"normal_and_view", 0, 15, 8}, signs_by<By::product, by_product>}};
+
+void tell_costs(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  std::vector<CountedTest> tests(counted_tests.begin(), counted_tests.end());
+  std::ranges::stable_sort(tests, {}, [&](const CountedTest& test) { return test.cost.of(subject.rings); });
+  const std::vector<Cost> costs = mapped(tests, &CountedTest::cost);
+  const std::vector<int> right = exact_signs(subject);
+  narrator.paper(CostsStory::width, CostsStory::height);
+  narrator.subtitle("subtitle.costs", {{"count", subject.faces.size()}});
+  narrator.columns({{"method", false}, {"operations"}, {"wrong"}});
+  narrator.legend({{Role::current, "current"},
+                   {Role::accepted, "cost_right"},
+                   {Role::rejected, "cost_wrong"},
+                   {Role::past, "waiting"}});
+  CostsStory story(narrator.words(), subject, costs);
+  narrator.tell_whole(story, [&](const auto& watch) {
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      const std::vector<int> signs = tests[i].signs(subject);
+      std::optional<std::int64_t> wrong;
+      for (std::size_t k = 0; k < signs.size(); ++k)
+        wrong = wrong.value_or(0) + ((signs[k] > 0) != (right[k] > 0) ? 1 : 0);
+      watch(MethodCounted{i, costs[i].of(subject.rings), wrong}, 0);
+    }
+  });
+  narrator.telling({std::ssize(tests) + 1, 0});
+  narrator.result({{"faces", std::ssize(subject.faces)}});
+}
+
 const Checking& checking() {
   static const Checking known{
       .asked = {{.name = "signs", .same = SameList::set, .type = "Judged", .fields = {"key", "sign"}}},
@@ -360,6 +431,7 @@ const TopicEntry& entry() {
                     .tell = tell_method<By::product, by_product>},
                    {.name = "screen_area", .tell = tell_method<By::area, by_area>},
                    {.name = "homogeneous", .tell = tell_method<By::determinant, by_determinant>},
+                   {.name = "by_cost", .tell = tell_costs, .function = "screen_area"},
                    {.name = "first_three_corners",
                     .standing = Standing::faulty,
                     .tell = tell_method<By::product, by_three, true>},
