@@ -29,7 +29,7 @@ struct MethodCounted {
 
 class CostsStory : public Past<steps::Started, MethodCounted, steps::Finished> {
  public:
-  static constexpr int width = 38, height = 22;
+  static constexpr int width = 38, height = 27;
 
   CostsStory(const Words& words, const Subject& subject, std::span<const Cost> costs)
       : words_(words), subject_(subject), costs_(costs) {
@@ -67,17 +67,17 @@ class CostsStory : public Past<steps::Started, MethodCounted, steps::Finished> {
     return std::ranges::find(costs_, method, &Cost::method)->of(subject_.rings);
   }
   void add_bar(View& view, std::size_t i) const {
-    constexpr double left = 19, longest = 13.5, pitch = 2.6;
+    constexpr double left = 19, longest = 13.5, pitch = 3.25;
     const auto counted = all<MethodCounted>();
     const bool done = i < counted.size(),
                current = done && &counted[i] == &counted.back() && now<MethodCounted>();
     const std::int64_t operations = costs_[i].of(subject_.rings);
-    const double y = height - 1.4 - pitch * static_cast<double>(i);
+    const double y = height - 2 - pitch * static_cast<double>(i);
     const double right = left + longest * static_cast<double>(operations) / static_cast<double>(most_);
     const bool wrong = done && counted[i].wrong.value_or(1) > 0;
     const Role role = !done ? Role::past : current ? Role::current : wrong ? Role::rejected : Role::accepted;
     const std::string id = fmt::format("b {:02}", i);
-    add_ring(view, id, role, Extent{{left, y - 0.8}, {right, y + 0.8}}.corners(), 2);
+    add_ring(view, id, role, Extent{{left, y - 1.1}, {right, y + 1.1}}.corners(), 2);
     view.add({id + " name", done ? role : Role::guide, Text{{left - 0.6, y}, name(i), Align::right}});
     if (!done) return;
     const std::string number = fmt::format("{}", operations);
