@@ -28,7 +28,7 @@ class Survey {
       add(stroke->a, counts);
       add(stroke->b, counts);
     } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
-      for (const dvec2 p : path->points) add(p, counts, path->aside);
+      for (const dvec2 p : path->points) add(p, counts && !path->aside, path->aside);
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
       add(dot->at, counts);
     } else if (const Area* area = std::get_if<Area>(&mark.shape)) {

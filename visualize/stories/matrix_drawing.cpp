@@ -78,7 +78,7 @@ void add_matrix(View& view, std::string_view id, dvec2 right, const std::string&
                {x, right.y - half},
                {x + inwards, right.y - half}}};
     path.aside = aside;
-    view.add({fmt::format("{} bracket {}", id, side), aside ? Role::guide : role, std::move(path)});
+    view.add({fmt::format("{} bracket {}", id, side), role, std::move(path)});
   };
   bracket("right", right.x, -0.5);
   double x = right.x - 0.6;

@@ -50,7 +50,15 @@ class Drawing {
         world_(left_handed_   ? left_hand_place
                : subject.axes ? axes_place
                               : world_place,
-               world_extent()) {}
+               world_extent()) {
+    if (subject.axes) return;
+    // A far eye is drawn nearer, so near that the model is large
+    for (const double distance : {2.2, 1.8, 1.5}) {
+      if (large_letter * world_.scale().y > large_on_paper) break;
+      most_distance_ = distance;
+      world_ = Panel(world_place, world_extent());
+    }
+  }
 
   /// Where the first drawing has a point of the world, the eye, the end of the hint for up, and that of a
   /// given axis.
@@ -369,15 +377,15 @@ class Drawing {
       corners.push_back(shown_eye() + 0.4 * shown_distance() * (forward + p.x * right + p.y * up));
     return corners;
   }
-  /// A far eye is drawn nearer on its line of sight, so that the model keeps its size.
-  static constexpr double most_distance = 2.6;
+  /// The letter's height, and how many units of the paper make a large one.
+  static constexpr double large_letter = 1.2, large_on_paper = 10;
   double shown_distance() const {
-    return subject_.axes ? subject_.distance : std::min(subject_.distance, most_distance);
+    return subject_.axes ? subject_.distance : std::min(subject_.distance, most_distance_);
   }
   dvec3 nearer(dvec3 eye) const {
     if (subject_.axes) return eye;
     const dvec3 way = eye - subject_.target;
-    return subject_.target + std::min(1.0, most_distance / length_of(way)) * way;
+    return subject_.target + std::min(1.0, most_distance_ / length_of(way)) * way;
   }
   dvec3 shown_eye() const { return nearer(subject_.eye); }
   /// Across the line of sight, with its true length: it is longer than it is drawn.
@@ -459,6 +467,7 @@ class Drawing {
   const Words& words_;
   std::vector<std::pair<dvec3, dvec3>> edges_;  ///< of the letter
   const bool left_handed_;                      ///< the world's z runs away from the reader
+  double most_distance_ = 2.6;                  ///< from the eye to the target as it is drawn
   Panel world_;
 };
 

@@ -267,7 +267,7 @@ class PlaceDrawing {
   void lobe(View& view, Role role, const Size& size) const {
     std::vector<dvec2> ring{origin_};
     for (double way = 90; way >= -90; way -= 1.5) ring.push_back(tip(way, size(way)));
-    view.add({"b lobe", role, Area{{ring}, 1}});
+    view.add({"b lobe", role, Area{{ring}, 2}});
   }
   void add_cone(View& view, const LampTaken<double>& t, const Light& light) const {
     const double l = angle(t.arrival.to_light);
