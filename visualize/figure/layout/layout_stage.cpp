@@ -219,7 +219,8 @@ Stage stage_of(const Trace& trace, const Look& look) {
   stage.least_cell = pixels ? 0.2 : grid.whole ? least_whole : slide ? least_cell : 16;
   // In print it is the real size of a cell that counts: 3 mm
   const double printed = look.least_text > 0 && grid.axes ? 11 / unit_of(look) : 0;
-  stage.easy_cell = std::max({stage.least_cell, printed, grid.lines > 0 ? easy_pixel : 0});
+  // Pixels too fine to be looked at one by one are no reason to give up text
+  stage.easy_cell = std::max({stage.least_cell, printed, grid.lines > 1 ? easy_pixel : 0});
   stage.lines = grid.lines;
   stage.largest_cell = slide ? 96 : 120;
   return stage;

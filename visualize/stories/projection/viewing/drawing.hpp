@@ -127,8 +127,9 @@ class Drawing {
     }
     if (known.newest < 0 || known.newest >= known.rows || by_columns) return;
     const double high = size.y / 4, top = middle.y + size.y / 2 - high * known.newest;
-    const Extent row{{middle.x - size.x / 2, top - high}, {middle.x + size.x / 2, top}};
-    view.add({"n matrix row", axis_role(known.newest), Area{{row.corners()}, 2}});
+    const double left = middle.x - size.x / 2 + 0.35;
+    view.add({"n matrix row", axis_role(known.newest),
+              Path{{{left, top - high + 0.2}, {left, top - 0.2}}, false, false, true}});
   }
 
   /// The picture: x / depth to the right, y / depth up; the letter in it once the matrix is whole.
