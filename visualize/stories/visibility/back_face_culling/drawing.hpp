@@ -340,8 +340,7 @@ inline void add_section(View& view, const Extent& place, const Subject& subject,
   const double product = glm::dot(normal, view_vector<double>(subject.rings[face], subject.eye));
   const std::string_view right_angle = product > 0 ? "< 90°" : product < 0 ? "> 90°" : "90°";
   view.add({"e angle text", Role::measure,
-            Text{on_arc(2.8, product > 0 && turn < 1 ? -0.8 : turn / 2 + (product > 0 ? 0.1 : 0.25)),
-                 std::string(right_angle)}});
+            Text{on_arc(2.8, product > 0 && turn >= 1 ? turn / 2 + 0.1 : -0.8), std::string(right_angle)}});
 }
 
 }  // namespace gradus::back_face_culling
