@@ -346,7 +346,6 @@ void tell_view(Narrator& narrator) {
   introduce(narrator, faulty ? Role::rejected : Role::result, faulty ? "rejected" : "result");
   narrator.subtitle("subtitle", {{"eye", subject.eye}, {"target", subject.target}});
   narrator.paper(36, 24);
-  narrator.trace().grid.lines = least_unit_of_matrices;
   say_axes_of_code(narrator);
   // The matrix is whole after its third row or column
   const bool replaced =
