@@ -35,6 +35,7 @@ class DrawingLayout {
     }
     const auto cells_taken = static_cast<std::ptrdiff_t>(free_.taken.size());
     for (const Mark& mark : trace_.backdrop) take(mark, true);
+    draw_cell_texts();
     fixed_dots_.assign(free_.taken.begin() + cells_taken, free_.taken.end());
     fixed_strokes_ = free_.strokes.size();
     for (const auto& [id, mark] : figure_.canvas->marks()) take(mark, false);
@@ -183,10 +184,40 @@ class DrawingLayout {
         draw_cell_outline(pen_, fmt::format("outline {},{}", p.x, p.y), look->role, frame_.square(p));
       }
     });
+  }
+
+  /// Where a text stands in its cell: in the middle, or, on a colour of its own, off the lines that stand
+  /// through all steps.
+  dvec2 text_place(ivec2 p, const CellLook& look, double width) const {
+    const dvec2 centre = frame_.point({p.x, p.y});
+    if (!look.color || free_.strokes.empty()) return centre;
+    const double enough = 0.4 * frame_.cell;
+    const dvec2 spare = glm::max(0.5 * (frame_.cell - dvec2{width, text_size * s_}) - 3 * s_, dvec2(0));
+    dvec2 best = centre;
+    double most = -1;
+    for (int k = 0; k < 25; ++k) {
+      // The middle comes first
+      const int place = (k + 12) % 25;
+      const dvec2 off = 0.5 * spare * dvec2{place % 5 - 2, place / 5 - 2};
+      double clear = enough;
+      for (const auto& line : free_.strokes) clear = std::min(clear, distance_of_text(centre + off, line));
+      clear -= 0.1 * length_of(off);
+      if (clear > most + 1e-6) most = clear, best = centre + off;
+    }
+    return best;
+  }
+  /// A text is wider than high.
+  static double distance_of_text(dvec2 p, const Segment<2, double>& line) {
+    const dvec2 narrowed{0.8, 1}, way = (line.b - line.a) * narrowed, to = (p - line.a) * narrowed;
+    const double length = glm::dot(way, way);
+    return length_of(to - way * (length > 0 ? std::clamp(glm::dot(to, way) / length, 0.0, 1.0) : 0));
+  }
+  /// Before any mark of the step is known: numbers keep still.
+  void draw_cell_texts() {
     for (const auto& [p, look] : cell_texts_) {
-      const double size = text_size * s_;
-      if (text_width(look.text, Face::sans, size) > frame_.cell - 2 * s_ || frame_.cell < 26 * s_) continue;
-      const dvec2 centre = frame_.point({p.x, p.y});
+      const double size = text_size * s_, width = text_width(look.text, Face::sans, size);
+      if (width > frame_.cell - 2 * s_ || frame_.cell < 26 * s_) continue;
+      const dvec2 centre = text_place(p, look, width);
       const auto [ink, ground] = text_paints(look);
       const TextShape text{
           {centre.x, centre.y + 7 * s_}, look.text, Face::sans, size, Align::centre, ink, true, ground};

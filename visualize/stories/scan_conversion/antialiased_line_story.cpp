@@ -303,7 +303,7 @@ class AreaStory {
 // --- The methods
 
 void tell_wu(Narrator& narrator) {
-  const Subject subject = subject_of(narrator.arguments());
+  const Subject subject = subject_of(narrator.arguments(), false);
   set_scene(narrator, subject, false);
   narrator.columns({{"k"}, {"x"}, {"y"}, {"fraction", false}, {"near"}, {"far"}});
   narrator.legend({{Role::boundary, "axis"},
@@ -318,7 +318,7 @@ void tell_wu(Narrator& narrator) {
 
 template <Way way, auto method>
 void tell_cone(Narrator& narrator) {
-  const Subject subject = subject_of(narrator.arguments());
+  const Subject subject = subject_of(narrator.arguments(), true);
   set_scene(narrator, subject, true);
   narrator.columns({{"x"}, {"y"}, {"distance"}, {"part"}, {"intensity"}});
   narrator.legend({{Role::boundary, "line"},
@@ -332,7 +332,7 @@ void tell_cone(Narrator& narrator) {
 }
 
 void tell_area(Narrator& narrator) {
-  const Subject subject = subject_of(narrator.arguments());
+  const Subject subject = subject_of(narrator.arguments(), true);
   set_scene(narrator, subject, true);
   narrator.columns({{"x"}, {"y"}, {"corners"}, {"area"}, {"intensity"}});
   narrator.legend({{Role::boundary, "line"}, {Role::current, "piece"}, {Role::candidate, "pixel"}});

@@ -17,6 +17,12 @@ const LINE_WIDTHS = {
 };
 /** Whose value a mark shows, by its symbol. */
 const quantityOf = (rest) => rest.find((part) => part?.quantity)?.quantity;
+/** A text is wider than high. */
+function distanceOfText([x, y], [[ax, ay], [bx, by]]) {
+  const wx = 0.8 * (bx - ax), wy = by - ay, tx = 0.8 * (x - ax), ty = y - ay, length = wx * wx + wy * wy;
+  const t = length > 0 ? clamp((tx * wx + ty * wy) / length, 0, 1) : 0;
+  return Math.hypot(tx - t * wx, ty - t * wy);
+}
 /** Of a text in a paragraph: so many lines below its place. */
 const lineOf = (rest) => (Number.isInteger(rest[4]) ? rest[4] : 0);
 const THIN = 1.6;
@@ -168,12 +174,26 @@ class Drawing extends StillDrawing {
   }
   cellTexts(cells) {
     const {s, cell} = this.at, group = svg('g'), size = TEXT * s;
-    for (const [x, y, role, text] of cells) {
+    for (const [x, y, role, text, color] of cells) {
       if (!text || cell < 26 * s || textWidth(text, size) > cell - 2 * s) continue;
-      const [px, py] = toPixels(this.at, x, y), look = this.theme.roles[role];
+      const middle = toPixels(this.at, x, y), look = this.theme.roles[role];
+      const [px, py] = color ? this.textPlace(middle, textWidth(text, size)) : middle;
       group.append(this.text(text, px, py + 7 * s, look.on, look.fill, {'text-anchor': 'middle'}));
     }
     return group;
+  }
+  /** On a colour of its own a text stands off the lines that stand through all steps. */
+  textPlace(middle, width) {
+    const {s, cell} = this.at, spare = [width, TEXT * s].map((side) => Math.max((cell - side) / 2 - 3 * s, 0));
+    let best = middle, most = -1;
+    for (let k = 0; k < 25; ++k) {
+      const place = (k + 12) % 25, off = [(place % 5 - 2) / 2 * spare[0], (Math.floor(place / 5) - 2) / 2 * spare[1]];
+      const at = [middle[0] + off[0], middle[1] + off[1]];
+      const clear = Math.min(0.4 * cell, ...this.fixedStrokes.map((line) => distanceOfText(at, line)));
+      if (clear - 0.1 * Math.hypot(...off) <= most + 1e-6) continue;
+      [best, most] = [at, clear - 0.1 * Math.hypot(...off)];
+    }
+    return best;
   }
   text(text, x, y, color, ground, more = {}) {
     const {s} = this.at;
@@ -203,6 +223,7 @@ class Drawing extends StillDrawing {
     const pending = {fixed: [], free: [], texts: []};
     for (const mark of this.run.trace.backdrop) this.drawMark(mark, pending, 'fixed');
     const dots = labels.taken, fixed = {taken: dots.slice(), strokes: labels.strokes.slice()};
+    this.fixedStrokes = fixed.strokes;
     for (const mark of this.canvas.sortedMarks()) this.drawMark(mark, pending, 'free');
     for (const text of pending.texts) this.placeText(text);
     this.placeLabels(pending, cells, fixed);

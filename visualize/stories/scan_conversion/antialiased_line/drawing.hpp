@@ -4,7 +4,7 @@
 #include "core/arithmetic/elementary.hpp"
 #include "figure/tone_of.hpp"
 #include "scan_conversion/antialiased_line/antialiased_line.hpp"
-#include "stories/telling.hpp"
+#include "stories/casing.hpp"
 
 namespace gradus::antialiased_line {
 
@@ -41,8 +41,9 @@ struct Subject {
   }
 };
 
-/// The line that was asked for. Refuses what can't be drawn.
-inline Subject subject_of(const Arguments& arguments) {
+/// The line that was asked for, and the pixels that it may have a part of; one that is wide reaches aside.
+/// Refuses what can't be drawn.
+inline Subject subject_of(const Arguments& arguments, bool wide) {
   const ivec2 from = arguments.cell("from"), to = arguments.cell("to");
   const Extent size = extent(from, to);
   if (size.dx >= longest_shown) {
@@ -55,7 +56,7 @@ inline Subject subject_of(const Arguments& arguments) {
   }
   const Moves go = moves(from, to);
   const bool steep = bresenham_line::steep(from, to);
-  const ivec2 about = steep ? ivec2{1, 0} : ivec2{0, 1};
+  const ivec2 about = !wide ? ivec2{0} : steep ? ivec2{1, 0} : ivec2{0, 1};
   const Window line = window_around(from, to);
   return {from, to, size, go, {line.lower - about, line.upper + about}};
 }
@@ -66,7 +67,10 @@ inline void set_scene(Narrator& narrator, const Subject& subject, bool wide) {
   narrator.subtitle("subtitle", {{"from", subject.from}, {"to", subject.to}});
   for (const std::string_view end : {"from", "to"}) narrator.handles(end, as_it_is);
   if (subject.point()) return;
-  const Stroke axis{dvec2(subject.from), dvec2(subject.to), false, wide, true};
+  const Stroke axis{dvec2(subject.from), dvec2(subject.to), false, wide, wide};
+  auto lines = wide ? sides_of(subject.rectangle()) : std::vector<std::pair<dvec2, dvec2>>{};
+  lines.emplace_back(axis.a, axis.b);
+  add_casing(narrator, lines);
   narrator.backdrop("axis", Role::boundary, axis);
   if (wide) narrator.backdrop("line", Role::boundary, Path{subject.rectangle(), true});
 }
