@@ -8,6 +8,7 @@
 #include "stories/antialiasing/area_sampling/pixel_story.hpp"
 #include "stories/antialiasing/area_sampling/subject.hpp"
 #include "stories/antialiasing/area_sampling/tones_story.hpp"
+#include "stories/casing.hpp"
 
 namespace gradus::area_sampling {
 namespace {
@@ -21,11 +22,7 @@ class Story {
   std::optional<StepNumber> telling() const { return telling_; }
   double sum() const { return to_double(sum_); }
 
-  void show(Board& board, const Started& s) {
-    next(board, s.box.lower);
-    for (const ivec2 p : s.corners) outline_.push_back(in_pixels(dvec2(p)) - 0.5);
-    board.keep("polygon", Role::input, Path{outline_, true});
-  }
+  void show(Board& board, const Started& s) { next(board, s.box.lower); }
   Event say(const Started& s) const {
     return {.text = "started",
             .facts = {{"corners", std::ssize(s.corners)}},
@@ -43,7 +40,8 @@ class Story {
     } else {
       board.detail(of_row ? ivec2{window_.lower.x, number_} : ivec2{number_, row_});
     }
-    mark(board, "left", Role::candidate, b.left);
+    board.mark("left", Role::candidate, Area{{on_grid(b.left)}, 2});
+    board.mark("left border", Role::candidate, Path{on_grid(b.left), true});
     board.mark("border", Role::boundary, border(b.border));
   }
   Event say(const BorderCut& b) const {
@@ -59,24 +57,23 @@ class Story {
   void show(Board& board, const AreaTaken<Exact>& a) {
     next(board, a.pixel);
     sum_ = sum_ + a.area;
-    board.put(a.pixel, Role::result, "", tone_on_paper(ink, to_double(a.area)));
-    if (window_.width() <= 8 && window_.height() <= 8)
-      board.keep("area " + pixel_key(a.pixel), Role::input, Text{clear_place(a.pixel), area_text(a.area)});
-    mark(board, "piece", Role::current, a.piece);
+    const bool large = window_.width() <= 8 && window_.height() <= 8;
+    board.put(a.pixel, Role::result, large ? area_text(a.area) : "", tone_of(a));
+    board.mark("piece", Role::current, Path{on_grid(a.piece), true});
     if (a.piece.size() < most_corners_) return;
     most_corners_ = a.piece.size();
     telling_ = {milestones_, 0};
   }
   Event say(const AreaTaken<Exact>& a) const {
-    const double area = to_double(a.area);
-    const auto byte = byte_of(a.piece, a.pixel, area);
+    const int tone = tone_of(a).r;
     return {.text = a.area == Exact(1) ? "taken.whole" : "taken.piece",
-            .facts = {{"pixel", a.pixel}, {"corners", std::ssize(a.piece)}, {"area", area}},
+            .facts = {{"pixel", a.pixel}, {"corners", std::ssize(a.piece)}, {"area", to_double(a.area)}},
             .words = {{"area", area_text(a.area)},
-                      {"byte", byte},
+                      {"light", area_text(Exact(1) - a.area)},
+                      {"tone", tone},
                       {"sum", area_text(sum_)},
                       {"n", a.piece.size()}},
-            .row = {a.pixel.x, a.pixel.y, a.piece.size(), area_text(a.area), byte},
+            .row = {a.pixel.x, a.pixel.y, a.piece.size(), area_text(a.area), tone},
             .key = pixel_key(a.pixel),
             .phase = words_.say("phase.row", {{"row", row_}})};
   }
@@ -93,29 +90,14 @@ class Story {
   static Ring2 on_grid(const Polygon& polygon) {
     return mapped(ring_of(polygon), [](dvec2 p) { return p - 0.5; });
   }
-  static void mark(Board& board, const std::string& id, Role role, const Polygon& polygon) {
-    board.mark(id, role, Area{{on_grid(polygon)}, 2});
-    board.mark(id + " border", role, Path{on_grid(polygon), true});
-  }
+  /// Ink on white paper.
+  static Rgba8 tone_of(const AreaTaken<Exact>& a) { return tone_on_paper({0, 0, 0, 255}, to_double(a.area)); }
   /// A border of the pixels, across the window.
   Stroke border(const Border& b) const {
     const double at = static_cast<double>(b.at) / subpixels - 0.5;
     const dvec2 lower = dvec2(window_.lower) - 0.5, upper = dvec2(window_.upper) + 0.5;
     return b.axis == 1 ? Stroke{{lower.x, at}, {upper.x, at}} : Stroke{{at, row_ - 0.5}, {at, row_ + 0.5}};
   }
-  /// Where in a pixel a short text stays farthest from the polygon's edges; it is about twice as wide as
-  /// high.
-  dvec2 clear_place(ivec2 pixel) const {
-    dvec2 best(pixel);
-    double farthest_off = -1;
-    for (int k = 0; k < 25; ++k) {
-      const dvec2 p = dvec2(pixel) + dvec2{k % 5 - 2, k / 5 - 2} * dvec2{0.09, 0.14};
-      const double off = distance(p, outline_, 0.21) - 0.1 * glm::length(p - dvec2(pixel));
-      if (off > farthest_off) farthest_off = off, best = p;
-    }
-    return best;
-  }
-  static constexpr Rgba8 ink{86, 180, 233, 255};  // a light blue, on which figures can be read
   void next(Board& board, ivec2 focus) {
     board.milestone(focus);
     ++milestones_;
@@ -125,7 +107,6 @@ class Story {
   const Window window_;
   int number_ = 0, row_ = 0;
   Exact sum_ = 0;
-  Ring2 outline_{};
   std::size_t most_corners_ = 0;
   std::int64_t milestones_ = -1;
   std::optional<StepNumber> telling_{};
@@ -151,6 +132,9 @@ void tell_pixel_areas(Narrator& narrator) {
                    {Role::boundary, "border"},
                    {Role::candidate, "left"},
                    {Role::current, "piece"}});
+  const Ring2 outline = mapped(corners, [](ivec2 p) { return in_pixels(dvec2(p)) - 0.5; });
+  add_casing(narrator, sides_of(outline));
+  narrator.backdrop("polygon", Role::input, Path{outline, true});
   Story story(words, window);
   pixel_areas<Exact>(corners, window, [](ivec2, Exact) {}, narrator.watcher(story));
   if (story.telling()) narrator.telling(*story.telling());
@@ -188,7 +172,7 @@ const TopicEntry& entry() {
                     .standing = Standing::faulty,
                     .tell = tell_area_as_tone,
                     .unread = {"triangles", "thin"}}},
-       .columns = {{"x"}, {"y"}, {"corners"}, {"area"}, {"byte"}},
+       .columns = {{"x"}, {"y"}, {"corners"}, {"area"}, {"shown"}},
        .parameters =
            {points(3, 50, "polygon", "1,3 4,1 2,5", "0.5,0.5 3.5,0.5 3.5,2.5 2,1.5 0.5,2.5",
                    "the corners of a polygon, x right and y down in pixels; pixel (0, 0) goes from 0 to 1",

@@ -4,6 +4,7 @@
 
 #include "antialiasing/area_sampling/area_sampling_notes.hpp"
 #include "stories/antialiasing/area_sampling/subject.hpp"
+#include "stories/antialiasing/ring_cut.hpp"
 
 namespace gradus::area_sampling {
 
@@ -12,8 +13,7 @@ inline constexpr Window pixel_paper{{0, 0}, {38, 26}};
 
 class PixelStory {
  public:
-  PixelStory(const Words& words, const InPixel& subject, const std::vector<Fragment<Exact>>& fragments,
-             bool faulty)
+  PixelStory(const Words& words, const InPixel& subject, std::vector<Fragment<Exact>> fragments, bool faulty)
       : words_(words), subject_(subject), faulty_(faulty) {
     for (const auto& f : fragments) {
       shown_.push_back({f.key, ring_of(f.outline), {to_double(f.nearest()), to_double(f.deepest())}});
@@ -21,16 +21,15 @@ class PixelStory {
       depths_.add({shown_.back().depths.y, 0});
     }
     std::ranges::sort(shown_, {}, [](const Shown& s) { return std::pair(s.depths.x, s.key); });
+    visible_areas(std::span(fragments), [&](const auto& f, const auto& pieces, Exact) {
+      for (const auto& piece : pieces) at_last_.push_back({f.key, ring_of(piece), ""});
+    });
   }
 
   double covered() const { return covered_; }
   double grey() const { return grey_; }
 
-  void show(Board& board, const steps::Started&) {
-    View view = base();
-    for (const Shown& s : shown_) outline(view, s, Role::input);
-    board.milestone(std::move(view));
-  }
+  void show(Board& board, const steps::Started&) { board.milestone(at_hand()); }
   Event say(const steps::Started&) const {
     return {.text = "pixel.started",
             .words = {{"first", shown_.empty() ? "" : name(shown_.front().key)}},
@@ -40,10 +39,7 @@ class PixelStory {
   void show(Board& board, const FragmentTaken<Exact>& f) {
     mine_ = f.fragment.key;
     left_ = {ring_of(f.fragment.outline)};
-    View view = at_hand();
-    const auto place = roomiest(left_.front(), mapped(shown_, &Shown::ring));
-    if (place) view.add({"n mine", Role::current, Text{at(*place), name(mine_)}});
-    board.milestone(std::move(view));
+    board.milestone(at_hand());
   }
   Event say(const FragmentTaken<Exact>& f) const {
     return {.text = faulty_         ? "taken.faulty"
@@ -253,17 +249,12 @@ class PixelStory {
         {"s value", Role::guide,
          Text{{29.4, 7.2}, fmt::format("{} = {}", words_.symbol("I"), figure_real(grey_)), Align::left}});
   }
-  void outline(View& view, const Shown& s, Role role) const {
-    view.add({"o " + name(s.key), role, Path{at(s.ring), true}});
-    const dvec2 place = roomiest(s.ring, mapped(shown_, &Shown::ring)).value_or(middle(s.ring));
-    view.add({"n " + name(s.key), role, Text{at(place), name(s.key)}});
-  }
-  /// What is seen already, and what is left of the fragment at hand.
+  /// What waits, as it will be seen, is there from the start; over it what is seen already, and what is left
+  /// of the fragment at hand.
   View at_hand() const {
     View view = base();
     for (const Shown& s : shown_) {
-      if (s.key != mine_ && std::ranges::find(done_, s.key) == done_.end())
-        view.add({"o " + name(s.key), Role::guide, Path{at(s.ring), true}});
+      if (s.key != mine_ && std::ranges::find(done_, s.key) == done_.end()) add_waiting(view, s);
     }
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       add_area(view, fmt::format("r {:02}", i), Role::accepted, at(seen_[i].ring), 1);
@@ -272,7 +263,35 @@ class PixelStory {
     for (std::size_t i = 0; i < left_.size(); ++i) {
       add_area(view, fmt::format("x {:02}", i), Role::current, at(left_[i]), 2);
     }
+    if (left_.size() == 1) {
+      if (const auto place = roomiest(left_[0], mapped(shown_, &Shown::ring)))
+        view.add({"n mine", Role::current, Text{at(*place), name(mine_)}});
+    }
     return view;
+  }
+  /// Where nothing nearer hides it, and nothing that is told of lies on it.
+  void add_waiting(View& view, const Shown& s) const {
+    const std::string id = name(s.key);
+    Ways sides = sides_of(s.ring);
+    std::vector<Ring2> lines(left_);
+    int number = 0;
+    for (const SeenPiece& piece : at_last_) {
+      lines.push_back(piece.ring);
+      if (piece.key != s.key) {
+        sides = outside_of(piece.ring, sides);
+      } else {
+        view.add(
+            {fmt::format("a {} {:02}", id, number++), Role::input, Area{{at(piece.ring)}, 1 + s.key % 3}});
+      }
+    }
+    for (const Ring2& ring : left_) sides = outside_of(ring, sides);
+    for (const auto& [a, b] : sides)
+      view.add(
+          {fmt::format("o {} {:02}", id, number++), Role::input, Stroke{at(a), at(b), false, false, true}});
+    for (const SeenPiece& piece : at_last_) {
+      const auto place = piece.key == s.key ? roomiest(piece.ring, lines) : std::nullopt;
+      if (place) return view.add({"n " + id, Role::input, Text{at(*place), id}});
+    }
   }
   /// The areas of what is seen, each where there is room.
   void add_areas(View& view) const {
@@ -286,7 +305,9 @@ class PixelStory {
   }
   void add_other(View& view, int key, const Outline<Exact>& before, const Outline<Exact>& behind) const {
     const auto whole = std::ranges::find(shown_, key, &Shown::key);
-    view.marks.erase("o " + name(key));
+    std::erase_if(view.marks, [&](const auto& mark) {
+      return mark.first.starts_with("o " + name(key) + " ") || mark.first == "n " + name(key);
+    });
     view.add({"v other", Role::candidate, Path{at(whole->ring), true}});
     if (!before.empty()) view.add({"u before", Role::candidate, Area{{at(ring_of(before))}, 2}});
     const std::vector<dvec2> part = before.empty() ? whole->ring : ring_of(before);
@@ -327,7 +348,7 @@ class PixelStory {
   int mine_ = -1;
   std::vector<std::vector<dvec2>> left_{};
   double covered_ = 0, grey_ = 0;
-  std::vector<SeenPiece> seen_{};
+  std::vector<SeenPiece> seen_{}, at_last_{};
   std::vector<int> done_{};
   std::vector<double> weights_{};
 };
