@@ -1,10 +1,9 @@
-// The story of a pixel's fragments: their masks as bits, front to back, what of each is still seen, and its
-// weight in the pixel's colour.
+// The story of a pixel's fragments: what is told of a list, of a mask, of pictures.
 
 #include "antialiasing/a_buffer/a_buffer.hpp"
 
 #include "antialiasing/a_buffer/a_buffer_notes.hpp"
-#include "stories/antialiasing/a_buffer/drawing.hpp"
+#include "stories/antialiasing/a_buffer/list_story.hpp"
 #include "stories/antialiasing/a_buffer/mask_story.hpp"
 #include "stories/antialiasing/a_buffer/pictures.hpp"
 #include "stories/parameters.hpp"
@@ -13,296 +12,6 @@ namespace gradus::a_buffer {
 namespace {
 
 constexpr auto drop = [](const Fragment&, double) {};
-
-/// A polygon's fragment goes into the list.
-struct Listed {
-  std::size_t number;
-};
-
-/// What all stories of a list show.
-class ListStory {
- public:
-  ListStory(const Words& words, std::vector<Piece> pieces) : words_(words), pieces_(std::move(pieces)) {}
-
-  double covered() const { return covered_; }
-  StepNumber telling() const { return {telling_, 0}; }
-
-  void show(Board& board, const Listed& l) {
-    list_.push_back(pieces_[l.number].fragment);
-    at_ = list_.size() - 1;
-    covered_mask_ = 0;
-    visible_ = list_.back().mask;
-    put(board);
-  }
-  Event say(const Listed& l) const {
-    const Piece& piece = pieces_[l.number];
-    return {.text = "listed",
-            .facts = {{"mask", hex_of(piece.fragment.mask)}, {"bits", std::popcount(piece.fragment.mask)}},
-            .words = {{"name", piece.name}, {"bytes", std::ssize(list_) * std::int64_t{sizeof(Mask)}}},
-            .count = std::popcount(piece.fragment.mask),
-            .key = piece.name,
-            .phase = words_.say("phase.listed"),
-            .begins = false};
-  }
-
-  void show(Board& board, const Sorted& s) {
-    list_ = s.list;
-    at_.reset();
-    visible_ = covered_mask_ = 0;
-    put(board);
-  }
-  Event say(const Sorted& s) const {
-    std::string order;
-    for (const Fragment& f : s.list) order += (order.empty() ? "" : ", ") + name_of(f);
-    return {.text = "sorted",
-            .facts = {{"fragments", std::ssize(s.list)}},
-            .words = {{"order", order}},
-            .count = std::ssize(s.list)};
-  }
-  void show(Board& board, const Ordered& o) {
-    const bool compared = any_overlap(list_);
-    list_ = o.list;
-    at_.reset();
-    if (compared) put(board);
-  }
-  Event say(const Ordered& o) const {
-    std::string order;
-    for (const Fragment& f : o.list) order += (order.empty() ? "" : ", ") + name_of(f);
-    Event event{.text = o.parts > 0 ? "ordered.parted" : "ordered",
-                .facts = {{"fragments", std::ssize(o.list)}, {"parts", static_cast<std::int64_t>(o.parts)}},
-                .words = {{"order", order}}};
-    if (o.parts > 0) event.count = static_cast<std::int64_t>(o.parts);
-    return event;
-  }
-  void show(Board& board, const Merged& m) {
-    merged_ = list_.size() - m.list.size();
-    const auto grown = std::ranges::mismatch(list_, m.list, {}, &Fragment::mask, &Fragment::mask).in2;
-    list_ = m.list;
-    if (merged_ == 0) return;
-    at_ = static_cast<std::size_t>(grown - m.list.begin());
-    visible_ = list_[*at_].mask;
-    put(board);
-  }
-  Event say(const Merged&) const {
-    return {.text = "merged",
-            .facts = {{"fragments", std::ssize(list_)}},
-            .count = static_cast<std::int64_t>(merged_)};
-  }
-  void show(Board& board, const Masked& m) {
-    at_ = m.number;
-    covered_mask_ = m.covered;
-    visible_ = m.visible;
-    masked_ = true;
-    put(board);
-    // What is hidden in part tells most
-    const bool part = m.visible != m.fragment.mask && m.visible != 0;
-    if (telling_ == 0 || (part && !told_)) telling_ = milestones_;
-    told_ |= part;
-  }
-  Event say(const Masked& m) const {
-    Event event{.text = m.visible == 0                 ? "masked.hidden"
-                        : m.visible == m.fragment.mask ? "masked.whole"
-                                                       : "masked",
-                .facts = {{"mask", hex_of(m.fragment.mask)},
-                          {"covered", hex_of(m.covered)},
-                          {"visible", hex_of(m.visible)}},
-                .words = {{"name", name_of(m.fragment)},
-                          {"hidden", std::popcount(m.fragment.mask & m.covered)},
-                          {"bits", std::popcount(m.fragment.mask)}},
-                .row = {name_of(m.fragment), m.fragment.z_near, hex_of(m.fragment.mask), hex_of(m.visible)},
-                .key = name_of(m.fragment)};
-    if (m.visible != 0) event.count = std::popcount(m.visible);
-    event.decides =
-        yes_or_no(words_, "question", {{"name", name_of(m.fragment)}}, m.visible != 0, "seen", "hidden");
-    return event;
-  }
-  void show(Board& board, const Weighed& w) {
-    weights_.emplace_back(name_of(w.fragment), w.weight);
-    covered_mask_ = w.covered;
-    put(board);
-  }
-  Event say(const Weighed& w) const {
-    return {.text = w.fragment.opacity == 1 ? "weighed" : "weighed.through",
-            .facts = {{"weight", w.weight}, {"left", w.left}},
-            .words = {{"name", name_of(w.fragment)},
-                      {"opacity", w.fragment.opacity},
-                      {"bits", std::popcount(w.visible)}},
-            .read = {name_of(w.fragment), w.fragment.z_near, hex_of(w.fragment.mask), hex_of(w.visible),
-                     w.weight, w.left},
-            .key = name_of(w.fragment)};
-  }
-  void show(Board& board, const Finished& f) {
-    at_.reset();
-    visible_ = 0;
-    left_ = f.left;
-    covered_ = 1 - f.left;
-    finished_ = true;
-    put(board);
-  }
-  Event say(const Finished& f) const {
-    std::string shares;
-    for (const auto& [name, weight] : weights_) {
-      if (weight > 0) shares += fmt::format("{}{} {}", shares.empty() ? "" : ", ", name, figure_real(weight));
-    }
-    Event event{.text = f.used < f.listed ? "finished.full" : "finished",
-                .facts = {{"used", static_cast<std::int64_t>(f.used)},
-                          {"listed", static_cast<std::int64_t>(f.listed)},
-                          {"left", f.left}},
-                .words = {{"shares", shares}, {"unused", f.listed - f.used}}};
-    if (shares.empty()) event.text = "finished.empty";
-    return event;
-  }
-
-  // The exhibits
-
-  void show(Board& board, const Estimated& e) {
-    weights_.emplace_back(name_of(e.fragment), e.weight);
-    covered_mask_ = e.covered;
-    put(board);
-    if (e.crossed.front < 1) telling_ = milestones_;
-  }
-  Event say(const Estimated& e) const {
-    return {.text = e.crossed.front < 1 ? "estimated" : "weighed",
-            .facts = {{"weight", e.weight}, {"left", e.left}},
-            .words = {{"name", name_of(e.fragment)},
-                      {"share", e.crossed.front},
-                      {"bits", std::popcount(e.visible)}},
-            .read = {name_of(e.fragment), e.fragment.z_near, hex_of(e.fragment.mask), hex_of(e.visible),
-                     e.weight, e.left},
-            .key = name_of(e.fragment)};
-  }
-  void show(Board& board, const Summed& s) {
-    if (s.number < list_.size()) at_ = s.number;
-    weights_.emplace_back(name_of(s.fragment), s.area);
-    total_ = s.total;
-    if (!masked_) visible_ = s.fragment.mask;
-    put(board);
-    telling_ = milestones_;
-  }
-  Event say(const Summed& s) const {
-    const std::string& name = name_of(s.fragment);
-    const std::string mask = hex_of(s.fragment.mask);
-    Event event{.text = masked_ ? "summed.seen" : "summed",
-                .facts = {{"area", s.area}, {"total", s.total}},
-                .words = {{"name", name}},
-                .key = name};
-    if (masked_)
-      event.read = {name, s.fragment.z_near, mask, hex_of(visible_), s.area, s.total};
-    else
-      event.row = {name, s.fragment.z_near, mask, s.area, s.total};
-    return event;
-  }
-  void show(Board& board, const Divided& d) {
-    at_.reset();
-    finished_ = true;
-    left_ = 0;
-    if (d.total > 0) {
-      for (auto& [name, weight] : weights_) weight /= d.total;
-    }
-    put(board);
-    telling_ = milestones_;
-  }
-  Event say(const Divided& d) const {
-    const double total = d.total;
-    std::string shares;
-    for (const auto& [name, weight] : weights_)
-      shares += fmt::format("{}{} {}", shares.empty() ? "" : ", ", name, figure_real(weight));
-    return {.text = total > 1 ? "divided.hidden" : "divided",
-            .facts = {{"total", total}},
-            .words = {{"shares", shares}},
-            .ends = true,
-            .decides = yes_or_no(words_, "question.divided", {}, total == 1, "whole", "divided")};
-  }
-
- private:
-  const std::string& name_of(const Fragment& f) const {
-    return pieces_[static_cast<std::size_t>(f.source)].name;
-  }
-
-  /// Whether two of them overlap in depth where both are.
-  static bool any_overlap(const std::vector<Fragment>& list) {
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      for (std::size_t k = i + 1; k < list.size(); ++k)
-        if ((list[i].mask & list[k].mask) != 0 && list[k].z_near <= list[i].z_far) return true;
-    }
-    return false;
-  }
-
-  /// Whether a fragment is another one, or has been merged into it.
-  static bool is_part(const Fragment& part, const Fragment& whole) {
-    return part.source == whole.source ||
-           (part.surface == whole.surface && (part.mask & ~whole.mask) == 0 && part.mask != 0);
-  }
-  void put(Board& board) {
-    ++milestones_;
-    View view;
-    LargePixel::add_grid(view);
-    for (const Piece& piece : pieces_) {
-      const bool now = at_ && is_part(piece.fragment, list_[*at_]);
-      const auto has = [&](const Fragment& f) { return is_part(piece.fragment, f); };
-      if (std::ranges::any_of(list_, has))
-        LargePixel::add_polygon(view, piece, now ? Role::current : Role::input, now);
-    }
-    LargePixel::add_samples(view, full, Role::guide, true);
-    LargePixel::add_samples(view, covered_mask_, Role::past, false);
-    if (at_)
-      LargePixel::add_samples(view, list_[*at_].mask & ~visible_ & ~covered_mask_, Role::rejected, true);
-    if (at_)
-      LargePixel::add_samples(view, list_[*at_].mask & covered_mask_ & ~visible_, Role::rejected, true);
-    LargePixel::add_samples(view, visible_, Role::accepted, false);
-    add_list(view);
-    add_shares(view);
-    board.milestone(std::move(view));
-  }
-  /// The fragments front to back: name, depth and mask as bits.
-  void add_list(View& view) const {
-    constexpr double left = 25, top = 21.6, height = 3.7;
-    const std::size_t first = at_ && *at_ >= 4 ? *at_ - 3 : 0;
-    for (std::size_t i = first; i < std::min(list_.size(), first + 4); ++i) {
-      const Fragment& f = list_[i];
-      const double y = top - height * static_cast<double>(i - first);
-      const Role role = at_ == i ? Role::current : at_ && i < *at_ ? Role::past : Role::input;
-      const std::string id = fmt::format("l {}", i);
-      view.add({id + " name", role, Text{{left - 1.3, y - 1}, name_of(f)}});
-      add_pattern(view, id, {left, y}, f.mask, role);
-      view.add(
-          {id + " depth", Role::guide, Text{{left + 4.7, y - 1}, "z " + figure_real(f.z_near), Align::left}});
-    }
-    view.add({"l title", Role::guide, Text{{left + 2.6, 23.2}, words_.say("list")}});
-  }
-  /// What each has of the pixel so far, as parts of a bar.
-  void add_shares(View& view) const {
-    constexpr double left = 24, right = 35, low = 1.4, high = 3.2;
-    const auto at = [&](double share) { return left + (right - left) * share; };
-    view.add(
-        {"s frame", Role::boundary, Path{{{left, low}, {right, low}, {right, high}, {left, high}}, true}});
-    view.add({"s title", Role::guide, Text{{(left + right) / 2, high + 1.1}, words_.say("bar")}});
-    double from = 0;
-    for (std::size_t i = 0; i < weights_.size(); ++i) {
-      const auto& [name, weight] = weights_[i];
-      const double to = std::min(from + weight, 1.0);
-      if (to <= from) continue;
-      const std::string id = fmt::format("s {}", i);
-      view.add({id + " part", i + 1 == weights_.size() && !finished_ ? Role::accepted : Role::past,
-                gradus::Area{{{{at(from), low}, {at(to), low}, {at(to), high}, {at(from), high}}}, 2}});
-      view.add({id + " end", Role::boundary, Stroke{{at(to), low}, {at(to), high}}});
-      if (to - from > 0.09)
-        view.add({id + " name", Role::result, Text{{at((from + to) / 2), (low + high) / 2}, name}});
-      from = to;
-    }
-  }
-
-  const Words& words_;
-  std::vector<Piece> pieces_;
-  std::vector<Fragment> list_;
-  std::optional<std::size_t> at_;
-  Mask covered_mask_ = 0, visible_ = 0;
-  std::vector<std::pair<std::string, double>> weights_;
-  std::size_t merged_ = 0;
-  double left_ = 1, covered_ = 0, total_ = 0;
-  std::int64_t telling_ = 0, milestones_ = -1;
-  bool finished_ = false, told_ = false, masked_ = false;
-};
 
 /// A polygon as it was given, of no depth yet.
 Piece piece_of(std::size_t i, const std::vector<dvec2>& ring) {
@@ -350,9 +59,17 @@ struct PlaneDepths {
   }
 };
 
+/// The areas of all, hidden or not.
+double sum_of(const std::vector<Piece>& pieces) {
+  double sum = 0;
+  for (const Piece& piece : pieces) sum += area_of(piece.fragment.mask);
+  return sum;
+}
+
+/// adds_up: whether the shares add up to no more than the pixel.
 template <class Run>
-void tell_list(Narrator& narrator, std::vector<Column> columns, Run run) {
-  std::vector<Piece> pieces = pieces_of(narrator.arguments());
+void tell_list(Narrator& narrator, std::vector<Column> columns, Run run, bool adds_up = true) {
+  const std::vector<Piece> pieces = pieces_of(narrator.arguments());
   std::vector<Fragment> list;
   narrator.paper(paper_width, paper_height);
   narrator.trace().subtitle = narrator.words().count("subtitle", std::ssize(pieces));
@@ -360,8 +77,9 @@ void tell_list(Narrator& narrator, std::vector<Column> columns, Run run) {
   narrator.legend({{Role::current, "now"},
                    {Role::accepted, "seen"},
                    {Role::rejected, "hidden"},
-                   {Role::past, "covered"}});
-  ListStory story(narrator.words(), pieces);
+                   {Role::past, "covered"},
+                   {Role::measure, "true_area"}});
+  ListStory story(narrator.words(), pieces, adds_up ? 1 : std::max(1.0, sum_of(pieces)));
   LargePixel::let_drag(narrator, pieces[0]);
   const auto watch = narrator.watcher(story);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -387,8 +105,9 @@ void tell_ranges(Narrator& narrator) {
             [](auto& list, const auto& watch, const auto&) { by_ranges(list, drop, watch); });
 }
 void tell_sum(Narrator& narrator) {
-  tell_list(narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"area"}, {"total"}},
-            [](auto& list, const auto& watch, const auto&) { sum_of_areas(list, drop, watch); });
+  tell_list(
+      narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"area"}, {"total"}},
+      [](auto& list, const auto& watch, const auto&) { sum_of_areas(list, drop, watch); }, false);
 }
 void tell_divided(Narrator& narrator) {
   tell_list(narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"area"}, {"total"}},

@@ -1,6 +1,5 @@
 #pragma once
-// One pixel drawn large with its 32 sub-samples, the fragments' polygons over it; and masks as little
-// patterns of bits.
+// One pixel drawn large with its 32 sub-samples, the fragments' polygons over it; and masks as squares.
 
 #include <array>
 #include <string>
@@ -13,7 +12,7 @@
 
 namespace gradus::a_buffer {
 
-inline constexpr int paper_width = 36, paper_height = 24;
+inline constexpr int paper_width = 38, paper_height = 24;
 
 /// What lies in the pixel: a convex polygon and its place in depth.
 struct Piece {
@@ -27,10 +26,10 @@ struct Piece {
 /// "f0f0f0f0", two digits per row.
 inline std::string hex_of(Mask mask) { return fmt::format("{:08x}", mask); }
 
-/// The pixel, 21 units wide and high, its rows downwards.
+/// The pixel, its rows downwards.
 struct LargePixel {
-  static constexpr double side = 21;
-  static constexpr dvec2 corner{0.8, 22.6};
+  static constexpr double side = 17.6;
+  static constexpr dvec2 corner{0.8, 23.4};
 
   static dvec2 at(dvec2 p) { return {corner.x + side * p.x, corner.y - side * p.y}; }
   static dvec2 place(int sample) {
@@ -53,7 +52,7 @@ struct LargePixel {
       view.add({fmt::format("a y {}", i), Role::guide, Stroke{at({0, y}), at({1, y}), false, false, true}});
     }
   }
-  /// As much of a polygon as lies in the pixel, with its name.
+  /// As much of a polygon as lies in the pixel.
   static void add_polygon(View& view, const Piece& piece, Role role, bool filled) {
     const std::vector<dvec2> ring = on_paper(ring_within(piece.ring, dvec2(0), dvec2(1)));
     if (ring.size() < 3) return;
@@ -79,20 +78,40 @@ struct LargePixel {
   }
 };
 
-/// A mask as a pattern: its bits filled, in a frame. corner: its upper left one.
-inline void add_pattern(View& view, const std::string& id, dvec2 corner, Mask mask, Role role) {
-  constexpr double width = 0.5, height = 0.5;
-  const auto at = [&](int column, int row) { return corner + dvec2(column * width, -row * height); };
-  gradus::Area bits;
-  for (int i = 0; i < samples; ++i) {
-    if ((mask & bit_of(i)) == 0) continue;
-    const int x = i % mask_columns, y = i / mask_columns;
-    bits.rings.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+/// A mask as squares in a frame: those that are left, and those that were taken away. corner: its upper left
+/// one.
+struct Pattern {
+  dvec2 corner;
+  double square;
+
+  double width() const { return mask_columns * square; }
+  double height() const { return mask_rows * square; }
+  void add_frame(View& view, const std::string& id, Role role) const {
+    view.add({id + " frame", role, Path{part({0, 0}, {mask_columns, mask_rows}), true}});
   }
-  bits.shade = 3;
-  if (!bits.rings.empty()) view.add({id + " bits", role, bits});
-  view.add({id + " frame", role,
-            Path{{at(0, 0), at(mask_columns, 0), at(mask_columns, mask_rows), at(0, mask_rows)}, true}});
-}
+  void add_bits(View& view, const std::string& id, Mask mask, Role role) const {
+    gradus::Area bits;
+    constexpr double gap = 0.1;
+    for (int i = 0; i < samples; ++i) {
+      const dvec2 at{i % mask_columns, i / mask_columns};
+      if ((mask & bit_of(i)) != 0) bits.rings.push_back(part(at + gap, at + 1.0 - gap));
+    }
+    bits.shade = role == Role::rejected ? 0 : 3;
+    if (!bits.rings.empty()) view.add({id + " bits", role, bits});
+    // Where there is room, as sub-samples look: tints alone are lost on a projector
+    constexpr double least = 0.85;
+    for (int i = 0; i < samples && square >= least; ++i) {
+      const dvec2 middle = corner + square * dvec2(i % mask_columns + 0.5, -(i / mask_columns + 0.5));
+      if ((mask & bit_of(i)) != 0)
+        view.add({fmt::format("{} dot {:02}", id, i), role, Dot{middle, role == Role::rejected}});
+    }
+  }
+
+ private:
+  std::vector<dvec2> part(dvec2 a, dvec2 b) const {
+    const auto at = [&](double x, double y) { return corner + square * dvec2(x, -y); };
+    return {at(a.x, a.y), at(b.x, a.y), at(b.x, b.y), at(a.x, b.y)};
+  }
+};
 
 }  // namespace gradus::a_buffer

@@ -65,12 +65,18 @@ class MaskStory {
     LargePixel::add_samples(view, full, Role::guide, true);
     LargePixel::add_samples(view, inside_ & ~left_, Role::candidate, true);
     LargePixel::add_samples(view, left_, Role::accepted, false);
-    constexpr dvec2 top{25, 20}, below{25, 15};
-    view.add({"l title", Role::guide, Text{{27, 21.2}, words_.say("edge_mask")}});
-    add_pattern(view, "l edge", top, inside_, Role::candidate);
-    view.add({"m title", Role::guide, Text{{27, 16.2}, words_.say("left_mask")}});
-    add_pattern(view, "m left", below, left_, Role::accepted);
+    add_mask(view, "l edge", 21.5, inside_, Role::candidate, "edge_mask");
+    add_mask(view, "m left", 12, left_, Role::accepted, "left_mask");
     board.milestone(std::move(view));
+  }
+
+  void add_mask(View& view, const std::string& id, double top, Mask mask, Role role,
+                std::string_view title) const {
+    const Pattern pattern{{21.5, top}, 1.4};
+    view.add({id + " title", Role::guide,
+              Text{{pattern.corner.x + pattern.width() / 2, top + 1.2}, words_.say(title)}});
+    pattern.add_bits(view, id, mask, role);
+    pattern.add_frame(view, id, role);
   }
 
   const Words& words_;
