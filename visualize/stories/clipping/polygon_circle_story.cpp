@@ -5,7 +5,7 @@
 
 #include "clipping/polygon_circle/polygon_circle_notes.hpp"
 #include "stories/clipping/polygon_circle/covered_area.hpp"
-#include "stories/clipping/polygon_circle/unrolled_circle.hpp"
+#include "stories/clipping/polygon_circle/crossing_table.hpp"
 #include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 
@@ -13,7 +13,7 @@ namespace gradus::polygon_circle {
 namespace {
 
 constexpr int width = 36, height = 27;
-constexpr dvec2 strip_from{6, 3.1}, strip_to{width - 6, 3.1};  ///< a scale below the plane
+constexpr dvec2 table_corner{width - 1, height - 1};  ///< beside the plane
 
 /// What all steps are drawn from.
 struct Subject {
@@ -86,9 +86,10 @@ class Story {
 
   void draw(const Tested& t) {
     follow_edge(t.edge, t.run.edge);
-    if (t.enters) add_crossing(*t.enters, ++crossings_, "enters", false);
-    if (t.leaves) add_crossing(*t.leaves, ++crossings_, "leaves", true);
-    if (t.enters || t.leaves) add_values(t);
+    found_.clear();
+    if (t.enters) add_crossing(t.edge, *t.enters, "enters", false);
+    if (t.leaves) add_crossing(t.edge, *t.leaves, "leaves", true);
+    put_table(found_);
   }
   Event say(const Tested& t) const {
     const Way way = way_of(t);
@@ -112,12 +113,10 @@ class Story {
 
   void draw(const Sorted& s) {
     calm();
-    erase("g ");
     erase("c ");
-    std::size_t number = 0;
-    for (const Crossing& c : s.crossings) add_crossing(c.at, ++number, c.leaves ? "out" : "in", c.leaves);
-    unrolled_ = UnrolledCircle(s.crossings, subject_.circle, {strip_from, strip_to, -12, 372});
-    unrolled_.add_to(view_, "g order");
+    table_.sort(s.crossings);
+    sorted_ = true;
+    put_table({});
   }
   Event say(const Sorted& s) const {
     const bool any = !s.crossings.empty();
@@ -130,17 +129,19 @@ class Story {
   void draw(const Entered& e) {
     calm();
     if (chain_.empty() || chain_.back() != e.at) chain_.push_back(e.at);
+    put_table({e.number});
     show_chain(e.at);
   }
   Event say(const Entered& e) const {
     return {.text = "entered",
             .facts = {{"ring", count(e.ring)}, {"crossing", count(e.number)}},
-            .words = {{"piece", e.ring + 1}, {"number", e.number + 1}, {"at", e.at}},
+            .words = {{"piece", e.ring + 1}, {"number", table_.name(e.number)}, {"at", e.at}},
             .phase = words_.say("phase.rings")};
   }
 
   void draw(const Walked& w) {
     chain_.push_back(w.at);
+    put_table({});
     show_chain(w.at);
   }
   Event say(const Walked& w) const {
@@ -154,6 +155,7 @@ class Story {
   void draw(const Bent& b) {
     chain_.push_back(b.from);
     if (is_arc(b)) add_arc(b);
+    put_table({b.exit, b.entry});
     show_chain(b.to);
   }
   Event say(const Bent& b) const {
@@ -162,13 +164,17 @@ class Story {
                       {"exit", count(b.exit), "crossing"},
                       {"entry", count(b.entry), "crossing"},
                       {"more_than_half", b.more_than_half}},
-            .words = {{"exit", b.exit + 1}, {"from", b.from}, {"entry", b.entry + 1}, {"at", b.from}},
+            .words = {{"exit", table_.name(b.exit)},
+                      {"from", b.from},
+                      {"entry", table_.name(b.entry)},
+                      {"at", b.from}},
             .phase = words_.say("phase.rings"),
             .decides = yes_or_no(words_, "question.walk", {}, false, "", "leaves")};
   }
 
   void draw(const Closed& c) {
     erase("e ");
+    put_table({});
     const std::string id = fmt::format("d piece {:03}", c.ring);
     view_.add({id, Role::accepted, Area{{subject_.panel.at(chain_)}}});
     view_.add({id + " line", Role::accepted, Path{subject_.panel.at(chain_), true}});
@@ -260,12 +266,14 @@ class Story {
   std::string side_text(int side) const {
     return words_.say(side < 0 ? "inside" : side > 0 ? "outside" : "on");
   }
-  /// "3 in", "3 in, 4 out": the last ones so far.
+  /// "C in", "C in, D out": those that the edge has found.
   std::string crossings_text(const Tested& t) const {
-    const std::string out = words_.say("leaves", {{"number", crossings_}});
-    const std::string in = words_.say("enters", {{"number", crossings_ - (t.leaves ? 1 : 0)}});
-    if (t.enters && t.leaves) return words_.say("twice", {{"first", in}, {"second", out}});
-    return t.enters ? in : t.leaves ? out : words_.say("none");
+    const auto text = [&](std::size_t i, const char* key) {
+      return words_.say(key, {{"number", table_.name(found_[i])}});
+    };
+    if (t.enters && t.leaves)
+      return words_.say("twice", {{"first", text(0, "enters")}, {"second", text(1, "leaves")}});
+    return t.enters ? text(0, "enters") : t.leaves ? text(0, "leaves") : words_.say("none");
   }
 
   Decision run_of_edge(std::string_view question, std::size_t edge, Way way) const {
@@ -331,33 +339,18 @@ class Story {
   void calm() {
     erase("e edge");
     erase("e now");
-    erase("e t ");
     recolor("c edge", Role::input);
   }
   /// A dot where the boundary enters, a ring where it leaves.
-  void add_crossing(dvec2 at, std::size_t number, std::string_view key, bool leaves) {
-    circle_drawing::add_point(view_, subject_.panel, fmt::format("g {:03}", number),
-                              leaves ? Role::past : Role::candidate, at,
-                              words_.say(key, {{"number", number}}), leaves);
+  void add_crossing(std::size_t edge, dvec2 at, std::string_view key, bool leaves) {
+    const std::string name = table_.add(edge, at, leaves, subject_.circle);
+    found_.push_back(table_.size() - 1);
+    circle_drawing::add_point(view_, subject_.panel, "g " + name, leaves ? Role::past : Role::candidate, at,
+                              words_.say(key, {{"number", name}}), leaves);
   }
-  /// Where on the edge, from its start at t = 0 to its end at t = 1.
-  void add_values(const Tested& t) {
-    const NumberLine line(strip_from, strip_to, -0.04, 1.04);
-    View scale;
-    line.add_to(scale, "t", words_.symbol("t"));
-    for (const auto& [id, mark] : scale.marks) view_.add({"e t " + id, mark.role, mark.shape});
-    const dvec2 way = t.run.edge.b - t.run.edge.a;
-    const double length = length_of(way);
-    const auto value = [&](dvec2 at) { return length_between(at, t.run.edge.a) / length; };
-    const double first = t.enters ? value(*t.enters) : 0, last = t.leaves ? value(*t.leaves) : 1;
-    const dvec2 up{0, 1.5};
-    view_.add({"e t inside", Role::current, Stroke{line.at(first), line.at(last)}});
-    const auto put = [&](const char* id, Role role, double at, bool leaves) {
-      view_.add({fmt::format("e t {} dot", id), role, Dot{line.at(at), leaves}});
-      view_.add({fmt::format("e t {} text", id), role, Text{line.at(at) + up, figure_real(at)}});
-    };
-    if (t.enters) put("enters", Role::candidate, first, false);
-    if (t.leaves) put("leaves", Role::past, last, true);
+  void put_table(const std::vector<std::size_t>& marked) {
+    erase("q ");
+    table_.add_to(view_, "q", words_, sorted_ ? "table.sorted" : "table.found", table_corner, marked);
   }
   static bool is_arc(const Bent& b) { return b.from != b.to || b.more_than_half; }
   void add_arc(const Bent& b) {
@@ -369,7 +362,6 @@ class Story {
     chain_.insert(chain_.end(), points.begin() + 1, points.end());
     chain_.back() = b.to;
     view_.add({"e now", Role::current, Path{subject_.panel.at(points)}});
-    unrolled_.add_arc(view_, "e now order", b.exit, b.entry);
   }
   void show_chain(dvec2 here) {
     if (chain_.size() > 1) view_.add({"e chain", Role::accepted, Path{subject_.panel.at(chain_)}});
@@ -378,6 +370,7 @@ class Story {
   void clear_result() {
     calm();
     for (const std::string_view start : {"d ", "e ", "g ", "c "}) erase(start);
+    put_table({});
   }
   void add_rings(const Region<double>& region) {
     for (std::size_t i = 0; i < region.rings.size(); ++i) {
@@ -413,9 +406,11 @@ class Story {
   const Subject& subject_;
   View view_;
   std::vector<dvec2> chain_;  ///< the piece so far
-  UnrolledCircle unrolled_;   ///< from the step on that orders the crossings
-  std::size_t crossings_ = 0, flat_corners_ = 0;
+  CrossingTable table_;
+  std::vector<std::size_t> found_;  ///< rows of the table, by the edge that is tested
+  std::size_t flat_corners_ = 0;
   Covered flat_area_;
+  bool sorted_ = false;
   bool leaves_ = false;  ///< the edge that the listing looks at
 };
 
@@ -433,7 +428,10 @@ Subject subject_of(const Arguments& arguments) {
     refuse("polygon", "a simple polygon expected, but its edges {} and {} meet", meeting->first + 1,
            meeting->second + 1);
   }
-  const Panel panel = tight_panel({{3, 7}, {width - 2, height - 1.5}}, world_of(polygon, circle));
+  // Beside the plane there is room for the crossings, if there are any
+  const bool crossed = arguments.text("method") == "arcs" && any_crossing(polygon, circle);
+  const double table = crossed ? CrossingTable::width : 0;
+  const Panel panel = tight_panel({{3, 3}, {width - 2 - table, height - 1.5}}, world_of(polygon, circle));
   const Subject subject{polygon, circle, tolerance, panel, area_of(arcs(std::span(polygon), circle))};
   require_scale(panel, arguments, {"circle"});
   return subject;
