@@ -12,7 +12,7 @@ namespace {
 using circle_drawing::real;
 
 std::string factor(double x) { return figure_factor(real(x)); }
-std::string range_text(double a, double b) { return real(a) + " … " + real(b); }
+std::string range_text(double a, double b) { return a == b ? real(a) : real(a) + " … " + real(b); }
 std::string number_text(double x) { return std::isfinite(x) ? real(x) : "0/0"; }
 
 /// Two different numbers, with all their digits where fewer look the same.
@@ -82,7 +82,7 @@ class Story {
   }
 
   Event say(const Crossed<double>& c) const {
-    return {.text = "crossed",
+    return {.text = c.half == 0 ? "touched" : "crossed",
             .facts = {{"foot", c.foot, "t"},
                       {"half", c.half, "t"},
                       {"enters", c.enters, "t"},
@@ -108,12 +108,14 @@ class Story {
   Event say(const Limited<double>& l) const {
     const bool any = l.first <= l.last;
     const auto [first, last] = any ? std::pair(real(l.first), real(l.last)) : told_apart(l.first, l.last);
-    Event event{
-        .text = any ? "limited.some" : "limited.nothing",
-        .facts = {{"first", l.first, "t"}, {"last", l.last, "t"}},
-        .words = {{"first", first}, {"last", last}},
-        .row = {words_.symbol("t"), first + " … " + last, words_.say(any ? "test.some" : "test.nothing")},
-        .phase = words_.say("phase.values")};
+    Event event{.text = !any                ? "limited.nothing"
+                        : l.first == l.last ? "limited.point"
+                                            : "limited.some",
+                .facts = {{"first", l.first, "t"}, {"last", l.last, "t"}},
+                .words = {{"first", first}, {"last", last}},
+                .row = {words_.symbol("t"), any ? range_text(l.first, l.last) : first + " … " + last,
+                        words_.say(any ? "test.some" : "test.nothing")},
+                .phase = words_.say("phase.values")};
     if (asks_for_rest_) {
       event.decides = {words_.say("question.rest", {{"first", first}, {"last", last}}),
                        {words_.say("test.some"), words_.say("test.nothing")},
@@ -151,7 +153,8 @@ class Story {
   }
 
   Event say(const Cut<double>& c) const {
-    return {.text = c.leaves ? "cut.leaves" : "cut.enters",
+    const char* text = c.leaves ? "cut.leaves" : "cut.enters";
+    return {.text = drawing_.touches() ? "cut.touches" : text,
             .facts = {{"x", c.at.x}, {"y", c.at.y}, {"leaves", c.leaves}},
             .words = {{"from", c.from}, {"at", c.at}},
             .row = {words_.say(c.leaves ? "leaves" : "enters"), c.at, ""},

@@ -99,6 +99,8 @@ class ChordDrawing {
   }
 
   void add_chord(double foot, double half) {
+    // A tangent touches at the foot, which needs no second name
+    if (half == 0) return void(view_.marks.erase("e foot name"));
     const dvec2 d = subject_.segment.b - subject_.segment.a, middle = subject_.segment.a + foot * d;
     view_.marks.erase("b line");
     add_stroke("b line", Role::guide, middle - 1.4 * half * d, middle + 1.4 * half * d, false, true);
@@ -111,9 +113,13 @@ class ChordDrawing {
 
   /// Where the line enters and leaves, in the plane and on the number line.
   void add_values(double enters, double leaves) {
-    if (enters == leaves) return add_value("enters", enters, words_.say("touches"), false);
-    add_value("enters", enters, words_.say("enters"), false);
-    add_value("leaves", leaves, words_.say("leaves"), true);
+    const auto at = [](double t) { return " " + figure_real(t); };
+    if (enters == leaves) {
+      const std::string touches = words_.say("touches_at", {{"t", enters}});
+      return add_value("enters", enters, touches, touches, false);
+    }
+    add_value("enters", enters, words_.say("enters"), words_.say("enters") + at(enters), false);
+    add_value("leaves", leaves, words_.say("leaves"), words_.say("leaves") + at(leaves), true);
   }
 
   void add_limits(double first, double last) {
@@ -128,7 +134,13 @@ class ChordDrawing {
     add_point("b " + id, side > 0 ? Role::rejected : Role::accepted, at, name);
   }
 
+  /// Whether of a segment with both ends outside a single point is left.
+  bool touches() const {
+    const auto& right = subject_.right;
+    return right && right->a == right->b && right->a != subject_.segment.a && right->a != subject_.segment.b;
+  }
   void add_cut(const Cut<double>& c) {
+    if (touches()) return add_point("g enters", Role::candidate, c.at, words_.say("touches"));
     add_point(c.leaves ? "g leaves" : "g enters", c.leaves ? Role::past : Role::candidate, c.at,
               words_.say(c.leaves ? "leaves" : "enters"), c.leaves);
   }
@@ -163,11 +175,12 @@ class ChordDrawing {
     view_.add({"c " + id + " t name", role, Text{subject_.line.at(t) + name_up, name}});
   }
   /// A point of the circle: a dot where the line enters, a ring where it leaves.
-  void add_value(const std::string& id, double t, const std::string& name, bool leaves) {
+  void add_value(const std::string& id, double t, const std::string& name, const std::string& name_of_t,
+                 bool leaves) {
     const Role role = leaves ? Role::past : Role::candidate;
     const dvec2 at = subject_.segment.a + t * (subject_.segment.b - subject_.segment.a);
     add_point("g " + id, role, at, name, leaves);
-    if (shown(t)) add_t(id, role, t, fmt::format("{} {}", name, figure_real(t)), leaves);
+    if (shown(t)) add_t(id, role, t, name_of_t, leaves);
     for (auto& [key, mark] : view_.marks) {
       if (key.starts_with("g " + id) || key.starts_with("c " + id)) mark.quantity = id;
     }
