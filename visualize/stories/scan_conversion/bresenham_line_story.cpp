@@ -208,6 +208,14 @@ class DecisionStory {
     if (miss == 0) return;
     const dvec2 at(pixel), ideal = ideal_at(line_, k_);
     board.mark("error", Role::measure, Stroke{at, ideal});
+    // In a large pixel the fraction stands at its tick, on the side where the line goes away from it
+    const dvec2 along(line_.go.straight), aside(line_.go.diagonal - line_.go.straight);
+    const double ahead = glm::dot(ideal - at, aside) > 0 ? 1 : -1;
+    if (size_.dx <= (along.x == 0 ? 5 : 7))
+      return board.mark(
+          "error name", Role::measure,
+          Text{along.x == 0 ? at - 0.27 * ahead * aside : 0.5 * (at + ideal) + 0.26 * ahead * along,
+               error_text(miss)});
     board.mark("error name", Role::measure,
                Label{0.5 * (at + ideal), words_.say("error", {{"error", error_text(miss)}})});
   }

@@ -178,7 +178,7 @@ TEST(Figure, TheErrorShownIsTheExactDistance) {
   Playhead playhead(trace);
   const Figure figure = figure_of(trace, playhead, {4, 0});
   const Mark& error = figure.canvas->marks().at("error name");
-  EXPECT_EQ(std::get<Label>(error.shape).text, "error 2/7");
+  EXPECT_EQ(std::get<Text>(error.shape).text, "2/7");
 }
 
 TEST(Figure, ADriftingSumIsCorrectedTruthfully) {
