@@ -379,7 +379,7 @@ class Drawing {
     return corners;
   }
   /// The letter's height, and how many units of the paper make a large one.
-  static constexpr double large_letter = 1.2, large_on_paper = 10;
+  static constexpr double large_letter = 1.2, large_on_paper = 9;
   double shown_distance() const {
     return subject_.axes ? subject_.distance : std::min(subject_.distance, most_distance_);
   }
