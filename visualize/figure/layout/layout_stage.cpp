@@ -215,7 +215,7 @@ Stage stage_of(const Trace& trace, const Look& look) {
   // The pixels of a picture may be as small as they are asked for
   const bool pixels = look.view && grid.picture;
   // The units of a paper are no cells; two pictures and all texts leave little of a square slide
-  const double least_whole = grid.axes ? 6 : grid.lines > 0 ? 1.5 : 3;
+  const double least_whole = grid.axes ? 6 : grid.lines > 0 ? std::min(1.5, grid.lines) : 3;
   stage.least_cell = pixels ? 0.2 : grid.whole ? least_whole : slide ? least_cell : 16;
   // In print it is the real size of a cell that counts: 3 mm
   const double printed = look.least_text > 0 && grid.axes ? 11 / unit_of(look) : 0;

@@ -115,14 +115,14 @@ class Drawing {
     const dvec2 size = matrix_size(rows), middle = matrix_place.centre();
     if (size.x > matrix_place.size().x) return;
     const bool by_columns = columns != words_.notation().rows;
-    add_matrix(view, "n matrix", middle + dvec2{size.x / 2, 0}, "", rows, Role::guide, true);
+    add_matrix(view, "n matrix", middle + dvec2{size.x / 2, 0}, "", rows, Role::input, true);
     for (int r = 0; r < 4; ++r) {
       for (int c = 0; c < 4; ++c) {
         const int axis = by_columns ? c : r;
         const bool known_last = axis == 3 && known.seen;
-        if (axis < known.rows || known_last)
-          view.marks.at(fmt::format("n matrix entry {} {}", r, c)).role =
-              axis < 3 ? axis_role(axis) : Role::input;
+        view.marks.at(fmt::format("n matrix entry {} {}", r, c)).role = known_last          ? Role::input
+                                                                        : axis < known.rows ? axis_role(axis)
+                                                                                            : Role::guide;
       }
     }
     if (known.newest < 0 || known.newest >= known.rows || by_columns) return;

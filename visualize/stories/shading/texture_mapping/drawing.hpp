@@ -124,9 +124,10 @@ class Paper {
   void mark_footprint(View& view, dvec2 uv, const Footprint<double>& footprint, Role role) const {
     const dvec2 x = 0.5 * footprint.along_x, y = 0.5 * footprint.along_y, at = one_tile(uv);
     Path path{{place(at - x - y), place(at + x - y), place(at + x + y), place(at - x + y)}, true};
-    for (const dvec2 p : path.points) {
+    for (dvec2& p : path.points) {
       const dvec2 off = glm::abs(p - place(dvec2(0.5)));
       if (std::max(off.x, off.y) > 0.5 * side_ + 1) return;
+      p = glm::clamp(p, place({0, 1}), place({1, 0}));  // beyond its border is another tile
     }
     view.add({"f footprint", role, path});
   }

@@ -80,19 +80,19 @@ class Layout {
     Role role;
   };
   void add_matrices(View& view, const std::vector<Named>& matrices) const {
-    dvec2 left{paper.x - 0.8 - matrices_.x, paper.y - 2 - matrices_.y / 2};
+    dvec2 right{paper.x - 0.8, paper.y - 2 - matrices_.y / 2};
     for (std::size_t i = 0; i < matrices.size(); ++i) {
       const auto& [name, rows, role] = matrices[i];
       const std::string id = fmt::format("m{}", i);
       const dvec2 size = matrix_size(shown(rows));
-      if (left.x < 0) return;  // the current factor's has taken all the room
-      view.add(
-          {id + " heading", role, Text{{left.x, left.y + size.y / 2 + 1.1}, name + " =", Align::left, true}});
-      add_matrix(view, id, left + dvec2{size.x, 0}, "", shown(rows), role, true);
+      if (right.x - size.x < 0) return;  // the current factor's has taken all the room
+      view.add({id + " heading", role,
+                Text{{right.x - size.x, right.y + size.y / 2 + 1.1}, name + " =", Align::left, true}});
+      add_matrix(view, id, right, "", shown(rows), role, true);
       if (above_) {
-        left.x -= matrices_.x + 3;
+        right.x -= matrices_.x + 3;
       } else {
-        left.y -= matrices_.y + 3.4;
+        right.y -= matrices_.y + 3.4;
       }
     }
   }
