@@ -339,19 +339,44 @@ class DrawingLayout {
                       text_paint(trace_, *mark),
                       true,
                       Paint::of(Tone::paper)};
-      const Box box = shape.box(), apart = grown(box, 2 * s_);
-      const double spare = 0.2 * size;  // above capitals and, but for tails, below the line
-      const Box letters{box.x, box.y + spare, box.width, box.height - 2 * spare};
-      if (at_.among_many && lies_on_a_line(letters)) continue;  // the size never gives way, names do
-      const auto lies_on = [](const std::vector<Box>& texts, const Box& mine) {
-        return std::ranges::any_of(texts, [&](const Box& other) { return overlap(mine, other); });
-      };
-      if (!inside(letters, grown(at_.labels, s_)) || lies_on(free_.texts, apart) ||
-          lies_on(written_.texts, box))
-        continue;
-      free_.texts.push_back(box);
+      if (at_.among_many && lies_on_a_line(letters_of(shape)))
+        continue;  // the size never gives way, names do
+      if (!has_room(shape)) continue;
+      if (text->line == 0) shape.baseline += way_off_dots(shape);
+      free_.texts.push_back(shape.box());
       letters_.emplace_back(mark->id, std::move(shape));
     }
+  }
+  /// Above capitals and, but for tails, below the line there is nothing.
+  static Box letters_of(const TextShape& text) {
+    const Box box = text.box();
+    return {box.x, box.y + 0.2 * text.size, box.width, box.height - 0.4 * text.size};
+  }
+  bool has_room(const TextShape& text) const {
+    const auto lies_on = [](const std::vector<Box>& texts, const Box& mine) {
+      return std::ranges::any_of(texts, [&](const Box& other) { return overlap(mine, other); });
+    };
+    return inside(letters_of(text), grown(at_.labels, s_)) &&
+           !lies_on(free_.texts, grown(text.box(), 2 * s_)) && !lies_on(written_.texts, text.box());
+  }
+  bool lies_on_a_dot(const Box& letters) const {
+    return std::ranges::any_of(dots_, [&](const auto& dot) {
+      const dvec2 at = dot.second.centre,
+                  nearest = glm::clamp(at, {letters.x, letters.y}, {letters.right(), letters.bottom()});
+      return glm::distance(at, nearest) < dot.second.radius;
+    });
+  }
+  /// A text that a dot would cover stands a little aside, if there is room.
+  dvec2 way_off_dots(const TextShape& text) const {
+    if (!lies_on_a_dot(letters_of(text))) return {};
+    for (double far = 4; far <= 24; far += 4) {
+      for (const dvec2 way : {dvec2{0, -1}, {0, 1}, {-1, 0}, {1, 0}}) {
+        TextShape aside = text;
+        aside.baseline += way * (far * s_);
+        if (has_room(aside) && !lies_on_a_dot(letters_of(aside))) return way * (far * s_);
+      }
+    }
+    return {};
   }
 
   /// Round what is pointed at; labels keep off it.

@@ -220,6 +220,7 @@ class Drawing extends StillDrawing {
       guides: svg('g'), leaders: svg('g'), lines: svg('g'), dots: svg('g')
     };
     this.marked = [];
+    this.dotsAt = [];
     const pending = {fixed: [], free: [], texts: []};
     for (const mark of this.run.trace.backdrop) this.drawMark(mark, pending, 'fixed');
     const dots = labels.taken, fixed = {taken: dots.slice(), strokes: labels.strokes.slice()};
@@ -281,6 +282,7 @@ class Drawing extends StillDrawing {
     if (!inside({x: cx, y: cy, width: 0, height: 0}, grown(this.at.box, 1e-6))) return;
     const disc = this.disc(cx, cy, kind === 'ring', look, this.at.s, attributes), r = Number(disc.getAttribute('r'));
     this.labels.taken.push({x: cx - r, y: cy - r, width: 2 * r, height: 2 * r});
+    this.dotsAt.push([cx, cy, r]);
     this.layers.dots.append(disc);
   }
   disc(cx, cy, ring, look, s, attributes = {}) {
@@ -339,10 +341,30 @@ class Drawing extends StillDrawing {
     const middle = y + line * PARAGRAPH_LINE * s;
     const left = x - {left: 0, centre: 0.5, right: 1}[align] * width;
     const box = {x: left, y: middle - 0.43 * size, width, height: size};
-    if (!inside({x, y, width: 0, height: 0}, grown(this.at.box, 1)) || !inside(box, grown(labels.room, s))) return;
-    if (labels.texts.some((other) => overlap(grown(box, 2 * s), other))) return;
+    if (!inside({x, y, width: 0, height: 0}, grown(this.at.box, 1)) || !this.hasRoom(box)) return;
+    if (line === 0) Object.assign(box, this.besideDots(box));
     labels.texts.push(box);
-    this.marked.push({text, box, baseline: middle + 0.35 * size, look, attributes});
+    this.marked.push({text, box, baseline: box.y + 0.78 * size, look, attributes});
+  }
+  hasRoom(box) {
+    const {s} = this.at, {labels} = this;
+    return inside(box, grown(labels.room, s)) && !labels.texts.some((other) => overlap(grown(box, 2 * s), other));
+  }
+  liesOnDot({x, y, width, height}) {
+    const spare = 0.2 * height, between = (value, least, most) => Math.min(Math.max(value, least), most);
+    return this.dotsAt.some(
+        ([cx, cy, r]) => Math.hypot(cx - between(cx, x, x + width), cy - between(cy, y + spare, y + height - spare)) < r);
+  }
+  /** A text that a dot would cover stands a little aside, if there is room. */
+  besideDots(box) {
+    if (!this.liesOnDot(box)) return box;
+    for (let far = 4; far <= 24; far += 4) {
+      for (const [dx, dy] of [[0, -1], [0, 1], [-1, 0], [1, 0]]) {
+        const aside = {...box, x: box.x + dx * far * this.at.s, y: box.y + dy * far * this.at.s};
+        if (this.hasRoom(aside) && !this.liesOnDot(aside)) return aside;
+      }
+    }
+    return box;
   }
   /** Those that stand through all steps come first and look only at what stands too, so that they keep still. */
   placeLabels(pending, cells, fixed) {
