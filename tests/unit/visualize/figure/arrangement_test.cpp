@@ -50,6 +50,12 @@ Look sized(double width, double height) {
   return look;
 }
 
+/// The step that the gallery shows: the story may know a better one than telling_step does.
+StepNumber shown_step(const GalleryFigure& figure, const Trace& trace) {
+  const StepNumber step = figure.spec.step.value_or(trace.telling);
+  return has_step(trace, step) ? step : trace.steps.back().number;  // --step last
+}
+
 /// Whole steps, and of long runs 300: as many of each phase, spread over it.
 std::vector<StepNumber> steps_of(const Trace& trace, std::size_t most) {
   std::map<std::string, std::vector<StepNumber>> phases;
@@ -78,9 +84,6 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"flood_fill_image", 0.78},
                                               {"affine_2d_about_centre", 0.98},
                                               {"affine_3d_vectors", 0.86},
-                                              {"viewing", 0.91},
-                                              {"viewing_view_to_world", 0.91},
-                                              {"viewing_transposed", 0.86},
                                               {"viewing_minus_position", 0.69},
                                               {"perspective_keep_z", 0.97},
                                               {"perspective_depth_precision", 0.82},
@@ -88,7 +91,7 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"viewport_row_zero_bottom", 0.87},
                                               {"viewport_letterbox", 0.92},
                                               {"viewport_half_up", 0.88},
-                                              {"viewport_clamped", 0.93},
+                                              {"viewport_clamped", 0.86},
                                               {"cohen_sutherland_2d_codes_only", 0.89},
                                               {"cohen_sutherland_3d", 0.99},
                                               {"cohen_sutherland_3d_missed", 0.98},
@@ -97,9 +100,6 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"sutherland_hodgman_pieces", 0.98},
                                               {"sutherland_hodgman_entering", 0.98},
                                               {"sutherland_hodgman_homogeneous", 0.99},
-                                              {"polygon_circle", 0.83},
-                                              {"polygon_circle_pieces", 0.99},
-                                              {"polygon_circle_chords", 0.99},
                                               {"perspective_frustum", 0.92},
                                               {"viewport_origins", 0.91},
                                               {"viewing_block", 0.4},
@@ -133,9 +133,8 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
     SCOPED_TRACE(figure.name);
     const Trace trace = trace_of(figure, languages().front());
     Playhead playhead(trace);
-    StepNumber step = figure.spec.step.value_or(telling_step(trace));
-    if (!has_step(trace, step)) step = trace.steps.back().number;  // --step last
-    const double reach = test::reach_of(figure_of(trace, playhead, step), figure.spec.look);
+    const double reach =
+        test::reach_of(figure_of(trace, playhead, shown_step(figure, trace)), figure.spec.look);
     const auto known = smaller.find(figure.name);
     if (known == smaller.end()) {
       EXPECT_GE(reach, 1) << figure.name;
@@ -189,6 +188,29 @@ void leaders_lead_over_nothing(const Sheet& sheet) {
   }
 }
 
+/// The letters of a text: its box without what is above capitals and, but for tails, below the line.
+Box letters_of(const TextShape& text) {
+  const Box box = text.box();
+  return {box.x, box.y + 0.22 * text.size, box.width, box.height - 0.44 * text.size};
+}
+
+/// What a dot covers can't be read, and what covers a dot seems to be its name.
+void no_text_lies_over_a_dot(const Sheet& sheet) {
+  for (const Shape& shape : sheet.shapes) {
+    const DiscShape* dot = std::get_if<DiscShape>(&shape.what);
+    if (!dot || shape.slot != Slot::drawing || shape.id.starts_with("ring")) continue;
+    for (const Shape& other : sheet.shapes) {
+      const TextShape* text = std::get_if<TextShape>(&other.what);
+      if (!text || text->is_rim() || other.slot != Slot::drawing) continue;
+      const Box letters = letters_of(*text);
+      const dvec2 nearest =
+          glm::clamp(dot->centre, {letters.x, letters.y}, {letters.right(), letters.bottom()});
+      EXPECT_GE(glm::distance(dot->centre, nearest), dot->radius - 0.5 * sheet.unit)
+          << text->text << " (" << other.id << ") over " << shape.id;
+    }
+  }
+}
+
 void all_is_apart_and_whole(const Sheet& sheet) {
   test::expect_texts_apart(sheet);
   std::map<Slot, Box> slots;
@@ -231,6 +253,21 @@ TEST(Gallery, EveryStepIsApartAndWholeAtEverySize) {
     }
   }
   EXPECT_GT(sheets, test::share_of(test::thinned(5000, 40), 6));
+}
+
+TEST(Gallery, NoTextOfAFigureLiesOverADot) {
+  std::size_t next = 0;
+  for (const GalleryFigure& figure : gallery()) {
+    for (const Language& language : languages()) {
+      if (!test::in_share(next++, 3)) continue;
+      const Trace trace = trace_of(figure, language);
+      Playhead playhead(trace);
+      for (const Look& look : {sized(1280, 720), sized(960, 720)}) {
+        SCOPED_TRACE(fmt::format("{} {} {}x{}", figure.name, language.code(), look.width, look.height));
+        no_text_lies_over_a_dot(lay_out(figure_of(trace, playhead, shown_step(figure, trace)), look));
+      }
+    }
+  }
 }
 
 // --- Numbers, legends ------------------------------------------------------------------------------------
