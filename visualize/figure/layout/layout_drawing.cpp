@@ -369,7 +369,7 @@ class DrawingLayout {
   /// A text that a dot would cover stands a little aside, if there is room.
   dvec2 way_off_dots(const TextShape& text) const {
     if (!lies_on_a_dot(letters_of(text))) return {};
-    for (double far = 4; far <= 24; far += 4) {
+    for (double far = 4; far <= 40; far += 4) {
       for (const dvec2 way : {dvec2{0, -1}, {0, 1}, {-1, 0}, {1, 0}}) {
         TextShape aside = text;
         aside.baseline += way * (far * s_);

@@ -78,10 +78,11 @@ class LabelPlacer {
     // Beside a number of an axis, a label would seem to go on with it
     for (const Box& tick : obstacles_.ticks) cost += overlap(at, tick) ? 90 * s_ : 0;
     const double area = at.width * at.height;
-    // Half of a dot is as bad as half of the label
     for (const Box& box : obstacles_.taken) {
-      const double smaller = std::clamp(box.width * box.height, 1.0, std::max(area, 1.0));
-      cost += 900 * s_ * overlap_area(at, box) / smaller;
+      // Half of a dot is as bad as half of the label, and a touch already covers it or seems to name it
+      const double covered = overlap_area(at, box), own = std::max(box.width * box.height, 1.0);
+      cost += 900 * s_ * covered / std::min(own, std::max(area, 1.0));
+      if (covered > 0 && own < area) cost += 300 * s_;
     }
     for (const auto& [box, weight] : obstacles_.crowded) cost += weight * s_ * overlap_area(at, box) / area;
     // Each cost adds, so that a place that lost already need not be counted to its end

@@ -72,13 +72,14 @@ void tell_list(Narrator& narrator, std::vector<Column> columns, Run run, bool ad
   const std::vector<Piece> pieces = pieces_of(narrator.arguments());
   std::vector<Fragment> list;
   narrator.paper(paper_width, paper_height);
+  narrator.trace().grid.lines = 13;  // smaller, the dots of a mask would touch
   narrator.trace().subtitle = narrator.words().count("subtitle", std::ssize(pieces));
   narrator.columns(std::move(columns));
   narrator.legend({{Role::current, "now"},
                    {Role::accepted, "seen"},
                    {Role::rejected, "hidden"},
-                   {Role::past, "covered"},
-                   {Role::measure, "true_area"}});
+                   {Role::past, "covered"}});
+  narrator.trace().legend[1].sample = Sample::dot;  // as in the masks
   ListStory story(narrator.words(), pieces, adds_up ? 1 : std::max(1.0, sum_of(pieces)));
   LargePixel::let_drag(narrator, pieces[0]);
   const auto watch = narrator.watcher(story);

@@ -13,7 +13,7 @@ namespace gradus::polygon_circle {
 namespace {
 
 constexpr int width = 36, height = 27;
-constexpr dvec2 table_corner{width - 1, height - 1};  ///< beside the plane
+constexpr dvec2 table_corner{width - 0.4, height - 1};  ///< beside the plane
 
 /// What all steps are drawn from.
 struct Subject {
@@ -31,7 +31,7 @@ Extent world_of(const std::vector<dvec2>& polygon, const Disc& c) {
   all.add(c.centre + c.radius);
   const double far = c.radius > 0 ? 3 * c.radius : 1e300;
   for (const dvec2 p : polygon) all.add(glm::clamp(p, c.centre - far, c.centre + far));
-  return widened(all, 0.015);
+  return widened(all, 0.004);  // for half of a line
 }
 
 std::int64_t count(std::size_t n) { return static_cast<std::int64_t>(n); }
@@ -431,7 +431,8 @@ Subject subject_of(const Arguments& arguments) {
   // Beside the plane there is room for the crossings, if there are any
   const bool crossed = arguments.text("method") == "arcs" && any_crossing(polygon, circle);
   const double table = crossed ? CrossingTable::width : 0;
-  const Panel panel = tight_panel({{3, 3}, {width - 2 - table, height - 1.5}}, world_of(polygon, circle));
+  const Panel panel =
+      tight_panel({{2.7, 2.7}, {width - 1.5 - table, height - 1.3}}, world_of(polygon, circle));
   const Subject subject{polygon, circle, tolerance, panel, area_of(arcs(std::span(polygon), circle))};
   require_scale(panel, arguments, {"circle"});
   return subject;
@@ -439,6 +440,7 @@ Subject subject_of(const Arguments& arguments) {
 
 void set_up(Narrator& narrator, const Subject& subject) {
   narrator.paper(width, height);
+  narrator.trace().grid.lines = 14;  // rows of a table are 1.8 units apart
   narrator.subtitle("subtitle", {{"corners", subject.polygon.size()},
                                  {"centre", subject.circle.centre},
                                  {"radius", subject.circle.radius}});

@@ -292,10 +292,7 @@ class Story
 // --- The methods
 
 void introduce(Narrator& narrator, Role last, std::string_view its_key) {
-  narrator.legend({Role::input, Role::past});
-  for (const int axis : {0, 1, 2})
-    narrator.trace().legend.push_back({axis_role(axis), axis_name(narrator.words(), axis), Sample::arrow});
-  narrator.add_to_legend(last, its_key);
+  narrator.legend({Role::input, Role::past, {last, its_key}});  // the axes are named where they are drawn
 }
 void introduce_axes(Narrator& narrator) {
   narrator.legend({Role::current,

@@ -358,7 +358,7 @@ class Drawing extends StillDrawing {
   /** A text that a dot would cover stands a little aside, if there is room. */
   besideDots(box) {
     if (!this.liesOnDot(box)) return box;
-    for (let far = 4; far <= 24; far += 4) {
+    for (let far = 4; far <= 40; far += 4) {
       for (const [dx, dy] of [[0, -1], [0, 1], [-1, 0], [1, 0]]) {
         const aside = {...box, x: box.x + dx * far * this.at.s, y: box.y + dy * far * this.at.s};
         if (this.hasRoom(aside) && !this.liesOnDot(aside)) return aside;

@@ -74,9 +74,12 @@ class LabelPlacer {
     let cost = 0;
     // Beside a number of an axis, a label would seem to go on with it
     for (const tick of this.ticks) cost += overlap(box, tick) ? 90 * s : 0;
-    // Half of a dot is as bad as half of the label
-    for (const cell of this.taken)
-      cost += (900 * s * overlap(box, cell)) / Math.min(Math.max(cell.width * cell.height, 1), Math.max(area, 1));
+    for (const cell of this.taken) {
+      // Half of a dot is as bad as half of the label, and a touch already covers it or seems to name it
+      const covered = overlap(box, cell), own = Math.max(cell.width * cell.height, 1);
+      cost += (900 * s * covered) / Math.min(own, Math.max(area, 1));
+      if (covered > 0 && own < area) cost += 300 * s;
+    }
     for (const [cell, weight] of this.crowded) cost += (weight * s * overlap(box, cell)) / area;
     for (const [a, b] of this.strokes) cost += clipped(a, b, clearing) ? 160 * s : 0;
     return cost;

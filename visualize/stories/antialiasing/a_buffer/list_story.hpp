@@ -308,8 +308,8 @@ class ListStory {
     }
     for (const std::size_t i : parts_.front_to_back())
       by_areas.push_back({pieces_[i].name, parts_.share(i), Role::measure});
-    add_bar(view, "s masks", 2.9, by_masks, "by_masks");
-    add_bar(view, "t areas", 0.6, by_areas, "by_areas");
+    add_bar(view, "s masks", 2.5, by_masks, "by_masks");
+    add_bar(view, "t areas", 0.1, by_areas, "by_areas");
   }
   struct Share {
     std::string name;

@@ -191,7 +191,7 @@ inline void tell_wheel(Narrator& narrator, bool asked) {
     film_wheel(wheel.f, wheel.fps, wheel.n, std::span(seen), watch);
   }
   watch(steps::Finished{}, 0);
-  narrator.telling({asked ? wheel.shown + 1 : (wheel.shown + 1) / 2, 0});
+  narrator.telling({asked ? wheel.shown + 1 : wheel.shown, 0});  // all frames stand in the chart
   narrator.result({{"speed", story.speed()}});
 }
 

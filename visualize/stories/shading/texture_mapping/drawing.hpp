@@ -101,7 +101,9 @@ class Paper {
     const auto number = [](double x) { return figure_real(std::round(1000 * x) / 1000); };
     view.add({"s u", Role::current, Stroke{at, below, false, true, true}});
     view.add({"s v", Role::current, Stroke{at, beside, false, true, true}});
-    view.add({"s u number", Role::current, Text{below + dvec2{0, 0.9 * unit_}, number(uv.x)}});
+    // At the right border it would ask for more room than all else
+    const dvec2 under{std::min(below.x, place({1, 0}).x - 1.2 * unit_), below.y + 0.9 * unit_};
+    view.add({"s u number", Role::current, Text{under, number(uv.x)}});
     view.add({"s v number", Role::current, Text{beside - dvec2{0.4 * unit_, 0}, number(uv.y), Align::right}});
   }
   /// Where another way would have looked.
@@ -134,9 +136,9 @@ class Paper {
 
  private:
   /// So many times the height of a line, in cells.
-  int many(int lines) const { return static_cast<int>(std::ceil(lines * unit_)); }
+  int many(double lines) const { return static_cast<int>(std::ceil(lines * unit_)); }
   /// The cell of pixel (0, 0).
-  ivec2 origin() const { return {1, many(2)}; }
+  ivec2 origin() const { return {1, many(1.5)}; }
   dvec2 on_paper(dvec2 place) const { return dvec2(origin()) + place - 0.5; }
   /// What of a line between places of the picture lies in the picture.
   void put_side(View& view, const std::string& id, Stroke side) const {
