@@ -130,6 +130,17 @@ class Docs(unittest.TestCase):
         self.assertGreater(len(files), 8)
         self.assertEqual([f for f in files if not (project.ROOT / f).is_file()], [])
 
+    def test_every_topic_has_its_picture_and_grade(self):
+        rows = re.findall(r'^\| <img src="([^"]+)".*\]\(topics/([\w/]+)\.md\) \| (\S+) \|',
+                          (project.ROOT / "docs/figures.md").read_text(encoding="utf-8"), re.M)
+        self.assertEqual(sorted(page for _, page, _ in rows),
+                         sorted(page.relative_to(project.ROOT / "docs/topics").with_suffix("").as_posix()
+                                for page in (project.ROOT / "docs/topics").glob("*/*.md") if page.stem != "pipeline"))
+        for picture, page, grade in rows:
+            self.assertTrue((project.ROOT / "docs" / picture).is_file(), picture)
+            self.assertIn(pathlib.Path(page).stem, picture)
+            self.assertRegex(grade, "^[ABC][+−]?$")
+
     def test_one_version(self):
         cmake = (project.ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
         version = re.search(r"project\(gradus VERSION ([\d.]+)", cmake).group(1)

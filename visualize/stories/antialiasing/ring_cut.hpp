@@ -38,7 +38,7 @@ inline double side_of(dvec2 a, dvec2 b, dvec2 p) {
 /// Straight ways, each from one point to another.
 using Ways = std::vector<std::pair<dvec2, dvec2>>;
 
-/// What of ways lies outside of a convex ring whose inside has side_of > 0; what lies along its sides, too.
+/// What of ways lies outside a convex ring whose inside has side_of > 0; what lies along its sides, too.
 inline Ways outside_of(const std::vector<dvec2>& ring, const Ways& ways) {
   Ways rest;
   for (const auto& [p, q] : ways) {
