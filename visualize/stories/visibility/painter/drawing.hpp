@@ -242,8 +242,8 @@ inline std::vector<std::pair<double, double>> uncovered(dvec2 a, dvec2 b, std::s
   for (const Ring2& ring : rings) {
     const double turn = std::copysign(1.0, doubled_area_of(ring));
     double enter = 0, leave = 1;
-    for (const auto& [p, q] : sides_of(ring)) {
-      const auto inside = [&, p = p, q = q](dvec2 x) {
+    for (const auto& [start, end] : sides_of(ring)) {
+      const auto inside = [&, p = start, q = end](dvec2 x) {
         return turn * ((q.x - p.x) * (x.y - p.y) - (q.y - p.y) * (x.x - p.x)) - 1e-9;
       };
       const double from = inside(a), to = inside(b);
