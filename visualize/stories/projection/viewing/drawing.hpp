@@ -52,12 +52,13 @@ class Drawing {
                               : world_place,
                world_extent()) {
     if (subject.axes) return;
-    // A far eye is drawn nearer, so near that the model is large
+    // A far eye is drawn nearer, so near that the model is large, wherever up points: the eye lies still when
+    // that is turned
     for (const double distance : {2.2, 1.8, 1.5}) {
-      if (large_letter * world_.scale().y > large_on_paper) break;
+      if (large_letter * Panel(world_place, still_extent()).scale().y > large_on_paper) break;
       most_distance_ = distance;
-      world_ = Panel(world_place, world_extent());
     }
+    world_ = Panel(world_place, world_extent());
   }
 
   /// Where the first drawing has a point of the world, the eye, the end of the hint for up, and that of a
@@ -368,6 +369,22 @@ class Drawing {
       add(shown_eye() + size * way);
     for (const dvec3 tip : {dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, 1}, dvec3{0}})
       add(axis_length() * tip);
+    return widened(extent, 0.02);
+  }
+  /// Of what the drawing has for any up, with as much round the eye as its axes take most often.
+  Extent still_extent() const {
+    Extent extent;
+    const auto add = [&](dvec3 p) { extent.add(flat(p)); };
+    for (const auto& [a, b] : edges_) {
+      add(a);
+      add(b);
+    }
+    for (const auto& [name, axis] : world_axes) {
+      add(axis_length() * axis);
+      add(shown_eye() + 0.7 * axis_size() * axis);
+      add(shown_eye() - 0.7 * axis_size() * axis);
+    }
+    add(subject_.target);
     return widened(extent, 0.02);
   }
   /// The picture's corners in the world, on the way to the target.
