@@ -13,7 +13,7 @@ namespace gradus::polygon_circle {
 namespace {
 
 constexpr int width = 36, height = 27;
-constexpr dvec2 table_corner{width - 0.4, height - 1};  ///< beside the plane
+constexpr dvec2 table_corner{width - 0.6, height - 1};  ///< beside the plane
 
 /// What all steps are drawn from.
 struct Subject {
@@ -440,7 +440,6 @@ Subject subject_of(const Arguments& arguments) {
 
 void set_up(Narrator& narrator, const Subject& subject) {
   narrator.paper(width, height);
-  narrator.trace().grid.lines = 14;  // rows of a table are 1.8 units apart
   narrator.subtitle("subtitle", {{"corners", subject.polygon.size()},
                                  {"centre", subject.circle.centre},
                                  {"radius", subject.circle.radius}});
