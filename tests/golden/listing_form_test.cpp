@@ -152,6 +152,8 @@ const std::vector<Shared>& shared_listings() {
       {"adaptive/pictures adaptive/thin", "the same method on two scenes, one of them thin"},
       {"area_sampling/pixel_areas area_sampling/moving",
        "the same method on a shape, at one place or several"},
+      {"back_face_culling/screen_area back_face_culling/by_cost",
+       "the cheapest of the methods whose costs it shows"},
       {"cohen_sutherland_3d/correctly_rounded cohen_sutherland_3d/view_volume",
        "the same method on two kinds of region: it asks both the same questions"},
       {"illumination/phong illumination/lights_side_by_side illumination/highlight_lobes",
