@@ -129,6 +129,11 @@ std::string readme(std::string_view title, std::string_view command, std::size_t
       title, which, command, zip_comment(), figure_licence);
 }
 
+/// What is packed by itself: to deflate it again takes as long as to make it, for a few percent.
+bool is_packed(std::string_view name) {
+  return name.ends_with(".png") || name.ends_with(".pdf") || name.ends_with(".zip");
+}
+
 }  // namespace
 
 std::string zip_of(std::span<const ZipEntry> entries) {
@@ -140,7 +145,8 @@ std::string zip_of(std::span<const ZipEntry> entries) {
 void zip_folder(const std::filesystem::path& folder, const std::vector<std::string>& files,
                 const std::string& output, Replace replace) {
   Zip zip;
-  for (const std::string& file : files) zip.add({file, read_input((folder / file).string(), "zip")});
+  for (const std::string& file : files)
+    zip.add({file, read_input((folder / file).string(), "zip"), is_packed(file)});
   write_output(output, zip.finish(), replace);
 }
 
@@ -152,7 +158,7 @@ std::vector<ZipEntry> step_entries(std::string_view slug, std::string_view title
     StepPicture picture = draw(step);
     const std::string name = fmt::format("{}-{}", slug, sortable(step, last));
     entries.push_back({name + ".svg", std::move(picture.svg)});
-    entries.push_back({name + ".png", std::move(picture.png)});
+    entries.push_back({name + ".png", std::move(picture.png), true});
   }
   return entries;
 }

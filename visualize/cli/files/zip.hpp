@@ -24,7 +24,8 @@ struct ZipEntry {
 std::string zip_of(std::span<const ZipEntry> entries);
 
 /// Packs files below `folder` (relative paths) into the zip `output`, under the same paths: with an
-/// index.html at its root it can be uploaded as a web page. Throws UsageError for a file that can't be read.
+/// index.html at its root it can be uploaded as a web page. Pictures and documents that are packed already
+/// are stored. Throws UsageError for a file that can't be read.
 void zip_folder(const std::filesystem::path& folder, const std::vector<std::string>& files,
                 const std::string& output, Replace replace = Replace::own);
 
