@@ -271,7 +271,7 @@ int sign_of(T area, Outline<T> ring) {
 /// Steps: none.
 /// Accuracy: with n corners no farther than r from the first one along any axis, each component is within
 ///   (n - 2)(4 + 2n) u r^2 of the sum without rounding. With a rational scalar nothing is rounded.
-/// Cost: 15 operations per triangle.
+/// Cost: 18 operations per triangle.
 /// Errors: ContractViolation for fewer than 3 corners.
 template <class T>
 glm::vec<3, T> newell_normal(Face<T> face) {
@@ -334,7 +334,7 @@ void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& d
 /// Accuracy: the sign is exact for all finite doubles, floats and Exact, of the corners as they are given; of
 ///   corners that were rounded before, it may be another than in space. The area, as it is reported, is
 ///   rounded.
-/// Cost: 7 operations per triangle, some 5 ns per face; in doubt some 0.5 us.
+/// Cost: 8 operations per triangle, some 5 ns per face; in doubt some 0.5 us.
 /// Errors: ContractViolation for fewer than 3 corners, for coordinates that are not finite.
 template <class T, class Draw, Observer<TriangleAdded<T>, Judged<T>, Finished> O = Unobserved>
 void screen_area(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = {}) {

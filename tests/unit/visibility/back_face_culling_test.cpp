@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/arithmetic/counted.hpp"
 #include "core/arithmetic/exact_scalar.hpp"
 #include "core/geometry.hpp"
 #include "core/random.hpp"
@@ -437,6 +438,23 @@ TEST(BackFaceCullingNotes, RowsCountedDownwardsTurnTheSignRound) {
   EXPECT_EQ(orient2d(rows[0], rows[1], rows[2]), 1);
   EXPECT_EQ(by_area({upright}).size(), 0u);
   EXPECT_EQ(by_area({rows}).size(), 1u);
+}
+
+TEST(BackFaceCulling, ATriangleTakesTheOperationsThatItsHeaderNames) {
+  using Vec3 = glm::vec<3, Counted>;
+  using Vec2 = glm::vec<2, Counted>;
+  const std::array space{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}};
+  const std::array picture{Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}};
+  constexpr int triangles = 2;
+  EXPECT_EQ(operations_of([&] { newell_normal<Counted>(space); }),
+            (Operations{triangles * 12, triangles * 6, 0}));
+  const std::array outlines{Outline<Counted>(picture)};
+  const auto drop = [](std::size_t) {};
+  EXPECT_EQ(operations_of([&] { screen_area<Counted>(outlines, drop); }),
+            (Operations{triangles * 6, triangles * 2, 0}));
+  const std::array faces{Face<Counted>(space)};
+  EXPECT_EQ(operations_of([&] { after_division<Counted>(faces, drop); }),
+            (Operations{triangles * 6, triangles * 2, 2 + triangles * 4}));
 }
 
 }  // namespace

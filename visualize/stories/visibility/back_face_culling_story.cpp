@@ -8,7 +8,7 @@
 #include "stories/past.hpp"
 #include "stories/visibility/back_face_culling/costs_story.hpp"
 #include "stories/visibility/back_face_culling/drawing.hpp"
-#include "visibility/back_face_culling/back_face_culling_notes.hpp"
+#include "stories/visibility/back_face_culling/methods.hpp"
 
 namespace gradus::back_face_culling {
 namespace {
@@ -19,20 +19,6 @@ constexpr Extent space_place{{0.4, 10.4}, {16.8, 25}}, clip_place{{0.4, 10.4}, {
     picture_place{{0.4, 0.2}, {13, 7.4}}, lower_place{{19.6, 0.2}, {35.6, 7.8}},
     section_place{{18.4, 2}, {35.6, 21}}, large_place{{0.4, 0.4}, {21.4, 25.6}},
     beside_place{{23, 8}, {35.6, 22}};
-
-/// What a method goes by.
-enum class By { product, area, determinant, depth };
-
-constexpr auto drop = [](std::size_t) {};
-
-/// The signs that the exact method finds.
-std::vector<int> exact_signs(const Subject& subject) {
-  std::vector<int> signs;
-  normal_and_view<double>(spans_of(subject.rings), subject.eye, drop, [&]<class Step>(const Step& step) {
-    if constexpr (std::same_as<Step, Judged<double>>) signs.push_back(step.sign);
-  });
-  return signs;
-}
 
 class CullingStory : public Past<steps::Started, NormalFound<double>, Finer<ViewTaken<double>>,
                                  Finer<TriangleAdded<double>>, Judged<double>, Finished> {
@@ -297,15 +283,6 @@ void require_places(const Arguments& arguments, const Subject& subject, bool beh
                     : "corners in front of the eye expected, found one behind it: clip first");
 }
 
-/// What a method looks at.
-template <By by>
-auto seen_by(const Subject& subject) {
-  if constexpr (by == By::area) return subject.outlines();
-  if constexpr (by == By::determinant) return subject.clip();
-  if constexpr (by == By::depth) return subject.view;
-  if constexpr (by == By::product) return subject.rings;
-}
-
 template <By by, auto method, bool faulty = false>
 void tell_method(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
@@ -329,51 +306,30 @@ void tell_method(Narrator& narrator) {
   narrator.result({{"tests", std::ssize(subject.faces)}, {"drawn", drawn}});
 }
 
-constexpr auto by_product = [](const auto&... with) { normal_and_view<double>(with...); };
-constexpr auto by_three = [](const auto&... with) { first_three_corners<double>(with...); };
-constexpr auto by_area = [](const auto&... with) { screen_area<double>(with...); };
-constexpr auto by_misprint = [](const auto&... with) { misprinted_shoelace<double>(with...); };
-constexpr auto by_six = [](const auto&... with) { six_products<double>(with...); };
-constexpr auto by_determinant = [](const auto&... with) { homogeneous<double>(with...); };
-constexpr auto by_division = [](const auto&... with) { after_division<double>(with...); };
-constexpr auto by_depth = [](const auto&... with) { eye_space_normal<double>(with...); };
-
-/// The signs that a method finds; none where corners have no place in its picture.
-template <By by, auto method, bool behind_too = false>
-std::vector<int> signs_by(const Subject& subject) {
-  std::vector<int> signs;
-  const auto watch = [&]<class Step>(const Step& step) {
-    if constexpr (std::same_as<Step, Judged<double>>) signs.push_back(step.sign);
-  };
-  const auto has_place = [&](double w) { return behind_too ? w != 0 : w > 1e-6 * subject.radius; };
-  if ((by == By::area || behind_too) && !subject.depths_are(has_place)) return signs;
-  const auto rings = seen_by<by>(subject);
-  if constexpr (by == By::product)
-    method(spans_of(rings), subject.eye, drop, watch);
-  else
-    method(spans_of(rings), drop, watch);
-  return signs;
-}
-
 struct CountedTest {
-  Cost cost;
+  std::string_view method;
+  std::int64_t (*operations)(const Subject&);
   std::vector<int> (*signs)(const Subject&);
 };
-constexpr std::array counted_tests{
-    CountedTest{{"screen_area", 0, 7, 0}, signs_by<By::area, by_area>},
-    CountedTest{{"misprinted_shoelace", 4, 0, 0}, signs_by<By::area, by_misprint>},
-    CountedTest{{"six_products", 4, 0, 0}, signs_by<By::area, by_six>},
-    CountedTest{{"after_division", 2, 7, 0}, signs_by<By::determinant, by_division, true>},
-    CountedTest{{"first_three_corners", 0, 0, 23}, signs_by<By::product, by_three>},
-    CountedTest{{"eye_space_normal", 0, 15, 0}, signs_by<By::depth, by_depth>},
-    CountedTest{{"homogeneous", 0, 15, 5}, signs_by<By::determinant, by_determinant>},
-    CountedTest{{"normal_and_view", 0, 15, 8}, signs_by<By::product, by_product>}};
+template <By by, auto method, bool behind_too = false>
+constexpr CountedTest counted_test(std::string_view name) {
+  return {name, operations_by<by, method>, signs_by<by, method, behind_too>};
+}
+constexpr std::array counted_tests{counted_test<By::area, by_area>("screen_area"),
+                                   counted_test<By::area, by_misprint>("misprinted_shoelace"),
+                                   counted_test<By::area, by_six>("six_products"),
+                                   counted_test<By::determinant, by_division, true>("after_division"),
+                                   counted_test<By::product, by_three>("first_three_corners"),
+                                   counted_test<By::depth, by_depth>("eye_space_normal"),
+                                   counted_test<By::determinant, by_determinant>("homogeneous"),
+                                   counted_test<By::product, by_product>("normal_and_view")};
 
 void tell_costs(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   std::vector<CountedTest> tests(counted_tests.begin(), counted_tests.end());
-  std::ranges::stable_sort(tests, {}, [&](const CountedTest& test) { return test.cost.of(subject.rings); });
-  const std::vector<Cost> costs = mapped(tests, &CountedTest::cost);
+  std::ranges::stable_sort(tests, {}, [&](const CountedTest& test) { return test.operations(subject); });
+  const std::vector<Cost> costs =
+      mapped(tests, [&](const CountedTest& test) { return Cost{test.method, test.operations(subject)}; });
   const std::vector<int> right = exact_signs(subject);
   narrator.paper(CostsStory::width, CostsStory::height);
   narrator.subtitle("subtitle.costs", {{"count", subject.faces.size()}});
@@ -389,7 +345,7 @@ void tell_costs(Narrator& narrator) {
       std::optional<std::int64_t> wrong;
       for (std::size_t k = 0; k < signs.size(); ++k)
         wrong = wrong.value_or(0) + ((signs[k] > 0) != (right[k] > 0) ? 1 : 0);
-      watch(MethodCounted{i, costs[i].of(subject.rings), wrong}, 0);
+      watch(MethodCounted{i, costs[i].operations, wrong}, 0);
     }
   });
   narrator.telling({std::ssize(tests) + 1, 0});

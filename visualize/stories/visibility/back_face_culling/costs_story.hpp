@@ -6,18 +6,10 @@
 
 namespace gradus::back_face_culling {
 
-/// Additions, products and divisions of a method: for each corner, each triangle from the first corner on,
-/// and each face.
+/// Additions, products and divisions of a method, counted in a run.
 struct Cost {
   std::string_view method;
-  std::int64_t corner, triangle, face;
-
-  std::int64_t of(const std::vector<Ring>& rings) const {
-    std::int64_t sum = 0;
-    for (const Ring& ring : rings)
-      sum += corner * std::ssize(ring) + triangle * (std::ssize(ring) - 2) + face;
-    return sum;
-  }
+  std::int64_t operations;
 };
 
 /// A method's operations are counted.
@@ -33,7 +25,7 @@ class CostsStory : public Past<steps::Started, MethodCounted, steps::Finished> {
 
   CostsStory(const Words& words, const Subject& subject, std::span<const Cost> costs)
       : words_(words), subject_(subject), costs_(costs) {
-    for (const Cost& cost : costs_) most_ = std::max(most_, cost.of(subject.rings));
+    for (const Cost& cost : costs_) most_ = std::max(most_, cost.operations);
   }
 
   Event say(const steps::Started&) const { return {.text = "costs", .words = {{"methods", costs_.size()}}}; }
@@ -64,14 +56,14 @@ class CostsStory : public Past<steps::Started, MethodCounted, steps::Finished> {
  private:
   std::string name(std::size_t i) const { return words_.say(fmt::format("method.{}", costs_[i].method)); }
   std::int64_t operations_of(std::string_view method) const {
-    return std::ranges::find(costs_, method, &Cost::method)->of(subject_.rings);
+    return std::ranges::find(costs_, method, &Cost::method)->operations;
   }
   void add_bar(View& view, std::size_t i) const {
     constexpr double left = 19, longest = 13.5, pitch = 3.25;
     const auto counted = all<MethodCounted>();
     const bool done = i < counted.size(),
                current = done && &counted[i] == &counted.back() && now<MethodCounted>();
-    const std::int64_t operations = costs_[i].of(subject_.rings);
+    const std::int64_t operations = costs_[i].operations;
     const double y = height - 2 - pitch * static_cast<double>(i);
     const double right = left + longest * static_cast<double>(operations) / static_cast<double>(most_);
     const bool wrong = done && counted[i].wrong.value_or(1) > 0;
