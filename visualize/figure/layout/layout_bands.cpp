@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "figure/layout/layout.hpp"
 
@@ -16,6 +17,87 @@ int lines_for_sentences(const Trace& trace, double room) {
   const int most = room < 800 ? 4 : 3;
   const auto lines = sentence_lines(trace.longest_sentence, sentence_size, 0.95 * room, most);
   return std::max(1, static_cast<int>(lines.size()));
+}
+
+/// Where a sentence may be broken.
+enum class Break { outside_formulas, before_relations, before_terms };
+
+bool is_relation(std::string_view word) {
+  constexpr std::array<std::string_view, 9> relations{"=", "≈", "<", ">", "≤", "≥", "≠", "∈", ":"};
+  return std::ranges::find(relations, word) != relations.end();
+}
+bool is_operator(std::string_view word) {
+  constexpr std::array<std::string_view, 9> operators{"+", "−", "-", "·", "×", "÷", "/", "→", "mod"};
+  return std::ranges::find(operators, word) != operators.end();
+}
+bool begins_term(std::string_view word) { return word == "+" || word == "−"; }
+
+/// A word, and whether a no-break space is before it.
+struct Word {
+  std::string_view text;
+  bool held = false;
+};
+
+std::vector<Word> words_of(std::string_view sentence) {
+  constexpr std::string_view no_break = "\u00a0";
+  std::vector<Word> words;
+  bool held = false;
+  while (!sentence.empty()) {
+    const std::size_t space = sentence.find(' '), other = sentence.find(no_break);
+    const std::size_t end = std::min({space, other, sentence.size()});
+    words.push_back({sentence.substr(0, end), held});
+    held = other < space;
+    sentence.remove_prefix(std::min(end + (held ? no_break.size() : 1), sentence.size()));
+  }
+  return words;
+}
+
+/// Whether a point is not told to its end with this word, as with "(x,".
+bool opens_point(std::string_view word) {
+  return word.size() == 3 && word.starts_with('(') && (word.ends_with(',') || word.ends_with(';'));
+}
+
+/// The sentence's words, those of a formula held together: all of it, or up to its next relation or term.
+std::vector<std::string> parts_of(std::string_view sentence, Break where) {
+  std::vector<std::string> parts;
+  std::string_view before;
+  for (const Word& word : words_of(sentence)) {
+    const bool may_begin = (where != Break::outside_formulas && is_relation(word.text)) ||
+                           (where == Break::before_terms && begins_term(word.text));
+    const bool in_formula =
+        is_relation(before) || is_relation(word.text) || is_operator(before) || is_operator(word.text);
+    if (!parts.empty() && (in_formula ? !may_begin : word.held || opens_point(before)))
+      parts.back().append(word.held ? "\u00a0" : " ").append(word.text);
+    else
+      parts.emplace_back(word.text);
+    before = word.text;
+  }
+  return parts;
+}
+
+/// As many parts a line as have room; `breaks`: after a semicolon, too.
+std::vector<std::string> filled(const std::vector<std::string>& parts, double size, double room,
+                                bool breaks) {
+  std::vector<std::string> lines;
+  for (const std::string& part : parts) {
+    const bool begins = lines.empty() || (breaks && lines.back().ends_with(';'));
+    if (begins || text_width(lines.back() + " " + part, Face::sans, size) > room)
+      lines.push_back(part);
+    else
+      lines.back() += " " + part;
+  }
+  return lines;
+}
+
+/// The part behind a semicolon stands on its own where that takes no more lines.
+std::vector<std::string> lines_of_parts(const std::vector<std::string>& parts, double size, double room) {
+  std::vector<std::string> plain = filled(parts, size, room, false), lines = filled(parts, size, room, true);
+  return lines.size() <= plain.size() ? lines : plain;
+}
+
+bool all_fit(const std::vector<std::string>& lines, double size, double room) {
+  return std::ranges::all_of(
+      lines, [&](const std::string& line) { return text_width(line, Face::sans, size) <= room; });
 }
 
 }  // namespace
@@ -89,14 +171,11 @@ std::vector<std::string> lines_of(const std::string& text, Face face, double siz
 
 std::vector<std::string> sentence_lines(const std::string& sentence, double size, double room, int most) {
   if (text_width(sentence, Face::sans, size) <= room) return {sentence};
-  std::vector<std::string> plain = lines_of(sentence, Face::sans, size, room, most);
-  const std::size_t at = sentence.find("; ");
-  if (at == std::string::npos) return plain;
-  std::vector<std::string> lines = lines_of(sentence.substr(0, at + 1), Face::sans, size, room, most);
-  for (std::string& line : lines_of(sentence.substr(at + 2), Face::sans, size, room, most)) {
-    lines.push_back(std::move(line));
+  for (const Break where : {Break::outside_formulas, Break::before_relations, Break::before_terms}) {
+    std::vector<std::string> lines = lines_of_parts(parts_of(sentence, where), size, room);
+    if (std::ssize(lines) <= most && all_fit(lines, size, room)) return lines;
   }
-  return lines.size() <= plain.size() ? lines : plain;
+  return lines_of(sentence, Face::sans, size, room, most);
 }
 
 }  // namespace gradus::layout
