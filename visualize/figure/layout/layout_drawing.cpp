@@ -395,8 +395,8 @@ class DrawingLayout {
     const double size = text_size * s_;
     const auto placed = place_label(free_, at_.labels, anchor,
                                     {text_width(label.text, Face::sans, size), size}, gap, clear, s_);
-    if (!placed) return;
-    if (placed->leader && at_.among_many && mark.role != Role::current && mark.role != Role::measure) return;
+    const bool secondary = at_.among_many && mark.role != Role::current;
+    if (!placed || (secondary && (placed->leader || lies_on_a_line(placed->box)))) return;
     if (placed->leader) {
       free_.leaders.push_back(*placed->leader);
       leaders_.emplace_back("leader " + mark.id, LineShape{{placed->leader->a, placed->leader->b},
