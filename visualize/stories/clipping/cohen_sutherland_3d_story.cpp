@@ -40,6 +40,7 @@ class Story {
     state_.code_a = c.code_a;
     state_.code_b = c.code_b;
     draw(board);
+    board.tells(static_cast<double>(state_.moves.size()));
   }
   Event say(const Cut<N, double>& c) const {
     const std::string end = c.of_a ? "a" : "b", face = face_name(words_, c.face);
@@ -52,6 +53,7 @@ class Story {
                 .row = row(state_),
                 .read = row(read_, words_.say("decision.cut", {{"end", end}, {"face", face}})),
                 .key = end,
+                .phase = face,
                 .decides = decision()};
     event.facts.push_back({"face", std::string(name_of(c.face))});
     return event;
