@@ -8,8 +8,10 @@ const NAME =
 // Region codes: four binary digits or more, with no other letter or digit beside them
 const CODE = /(?<![\p{L}\d._])[01]{4,}(?![\p{L}\d_]|\.\d)/gu;
 
-// What a line should not end in: a short pair of parentheses, and what a fraction's stroke or a product's dot joins
-const TORN = /[^\s()]*\((?:[^()]|\([^()]*\)){1,28}\)[^\s()]*|[^\s/·]+(?: ?[/·] ?[^\s/·]+)+/g;
+// What a line should not end in: a short pair of parentheses, what a fraction's stroke or a product's dot joins, and a
+// relation
+const TORN =
+    /(?:[=≈<>≤≥] )?(?:[^\s()]*\((?:[^()]|\([^()]*\)){1,28}\)[^\s()]*|[^\s/·]+(?: ?[/·] ?[^\s/·]+)+)|[=≈<>≤≥] \S+/g;
 
 /** What a trace's names are: `names` as JSON has them. */
 class Typesetter {
