@@ -176,7 +176,8 @@ Drawn draw(const LectureFigure& figure, const fs::path& out, const ReplaceAt& re
     }
   }
   const StepNumber telling = thumbnail_step(spec, takes);
-  const FigureSpec thumbnail = fitting(with_flag(at_step(spec, telling), "slots", "drawing"), Format::svg);
+  const FigureSpec thumbnail =
+      fitting(with_flag(with_flag(at_step(spec, telling), "slots", "drawing"), "crop", "true"), Format::svg);
   folder.add(figure.name + "-drawing.svg", picture_bytes(thumbnail, takes, telling, Format::svg));
   if (has_zip(figure)) folder.add(figure.name + "-steps.zip", zip_bytes(figure, takes));
   folder.add_inputs();

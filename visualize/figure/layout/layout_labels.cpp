@@ -87,9 +87,11 @@ class LabelPlacer {
     for (const auto& [box, weight] : obstacles_.crowded) cost += weight * s_ * overlap_area(at, box) / area;
     // Each cost adds, so that a place that lost already need not be counted to its end
     const Box clearing = grown(at, clear_);
+    // Beside a line whose cells are still to come, a label would soon be covered
+    const double nearness = (clear_ > 20 * s_ ? 320 : 160) * s_;
     for (const auto& [a, b] : obstacles_.strokes) {
       if (cost >= least) return std::nullopt;
-      if (clipped(a, b, clearing)) cost += 160 * s_;
+      if (clipped(a, b, clearing)) cost += nearness;
     }
     return cost < least ? std::optional(cost) : std::nullopt;
   }
