@@ -4,6 +4,7 @@
 #include "antialiasing/poisson_disc/poisson_disc.hpp"
 
 #include "stories/antialiasing/poisson_disc/drawing.hpp"
+#include "stories/antialiasing/poisson_disc/pictures.hpp"
 #include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 
@@ -47,6 +48,7 @@ class DiscStory {
       ++refused_;
     }
     ++tries_;
+    note_gaps();
     note_telling(t);
     put(board, t.kept);
   }
@@ -56,7 +58,8 @@ class DiscStory {
                 .facts = {{"x", t.place.x}, {"y", t.place.y}, {"inside", t.inside}, {"kept", t.kept}},
                 .words = {{"place", t.place}, {"radius", radius_}, {"n", std::ssize(samples_)}},
                 .row = {std::ssize(samples_), t.place, "", words_.shared("words", t.kept ? "yes" : "no")},
-                .key = figure_number(tries_)};
+                .key = figure_number(tries_),
+                .phase = phase()};
     if (!alone) {
       event.facts.push_back({"nearest", t.nearest});
       event.words.push_back({"nearest", t.nearest});
@@ -72,6 +75,7 @@ class DiscStory {
     std::erase(active_, r.sample);
     tried_.reset();
     retired_ = r.sample;
+    note_gaps();
     put(board, true);
     retired_.reset();
     refused_ = 0;
@@ -80,7 +84,8 @@ class DiscStory {
     return {.text = "retired",
             .facts = {{"x", r.sample.x}, {"y", r.sample.y}, {"active", std::ssize(active_)}},
             .words = {{"place", r.sample}},
-            .count = refused_before_};
+            .count = refused_before_,
+            .phase = phase()};
   }
 
   void show(Board& board, const Finished&) {
@@ -101,6 +106,8 @@ class DiscStory {
   }
 
  private:
+  /// At first there is room beside most samples, or for most darts; then gaps are filled.
+  std::string phase() const { return words_.say(gaps_ ? "phase.gaps" : "phase.growing"); }
   std::string_view key_of(const Tried& t) const {
     if (!t.inside) return "outside";
     if (!t.kept) return "refused";
@@ -108,12 +115,20 @@ class DiscStory {
     return t.nearest == std::numeric_limits<double>::infinity() ? "kept.alone" : "kept";
   }
 
-  /// A place that is refused for a neighbour, once there is something to see.
+  void note_gaps() {
+    gaps_ |= beside_ ? 2 * active_.size() < samples_.size() : tries_ > 2 * std::ssize(samples_);
+  }
+  /// A place that is refused for a neighbour, once there is something to see: of them one near the
+  /// middle, as its ring is, where all of it is seen.
   void note_telling(const Tried& t) {
     details_ = t.kept ? 0 : details_ + 1;
     milestones_ += t.kept;
-    const bool hard = !t.kept && t.inside && samples_.size() >= 6;
-    if (hard && telling_.step == 0) telling_ = {milestones_, static_cast<int>(details_)};
+    if (t.kept || !t.inside || samples_.size() < 6) return;
+    const dvec2 middle = 0.5 * area_.size;
+    const double off = chosen_ ? glm::distance(*chosen_, middle) + glm::distance(t.place, middle) : 0;
+    if (off >= least_off_) return;
+    least_off_ = off;
+    telling_ = {milestones_, static_cast<int>(details_)};
   }
 
   void put(Board& board, bool milestone) {
@@ -177,7 +192,8 @@ class DiscStory {
   std::optional<Tried> tried_;
   std::int64_t tries_ = 0, refused_ = 0, refused_before_ = 0, milestones_ = 0, details_ = 0;
   StepNumber telling_{0, 0};
-  bool finished_ = false;
+  double least_off_ = std::numeric_limits<double>::infinity();
+  bool gaps_ = false, finished_ = false;
 };
 
 /// Of several candidates the farthest.
@@ -333,13 +349,13 @@ void tell_discs(Narrator& narrator, bool beside, Run run) {
     narrator.legend({{Role::input, "active"},
                      {Role::past, "retired"},
                      {Role::candidate, "ring"},
-                     {Role::guide, "asked"},
+                     {Role::current, "asked"},
                      {Role::accepted, "kept"},
                      {Role::rejected, "refused"},
                      {Role::result, "disc"}});
   else
     narrator.legend({{Role::past, "sample"},
-                     {Role::guide, "asked"},
+                     {Role::current, "asked"},
                      {Role::accepted, "kept"},
                      {Role::rejected, "refused"},
                      {Role::result, "disc"}});
@@ -411,7 +427,11 @@ const TopicEntry& entry() {
        .methods =
            {{.name = "bridson", .standing = Standing::taught, .tell = tell_bridson, .unread = of_pattern},
             {.name = "dart_throwing", .tell = tell_darts, .unread = of_pattern},
-            {.name = "best_candidate", .tell = tell_candidates, .unread = of_area}},
+            {.name = "best_candidate", .tell = tell_candidates, .unread = of_area},
+            {.name = "pictures",
+             .tell = tell_pictures,
+             .function = "bridson",
+             .unread = {"area", "tile", "tries", "samples", "candidates"}}},
        .default_method = "bridson",
        .columns = {{"samples"}, {"place", false}, {"nearest"}, {"kept", false}},
        .counts = {"Tried", "Compared"},
@@ -428,7 +448,7 @@ const TopicEntry& entry() {
                             "candidates for each sample, times the number of those before", 1, 8),
                       whole("seed", "5", "7", "of the random numbers", 0, INT32_MAX)},
        .examples = {"--radius 0.15 --seed 7", "--tile", "--method dart_throwing --tries 20",
-                    "--method best_candidate --samples 16"}});
+                    "--method best_candidate --samples 16", "--method pictures"}});
   return topic;
 }
 

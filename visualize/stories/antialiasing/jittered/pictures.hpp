@@ -13,6 +13,7 @@
 #include "figure/tone_of.hpp"
 #include "stories/antialiasing/chequered_plane.hpp"
 #include "stories/antialiasing/jittered/drawing.hpp"
+#include "stories/antialiasing/spectrum.hpp"
 #include "stories/picture_shelf.hpp"
 
 namespace gradus::jittered {
@@ -48,43 +49,18 @@ struct PatternShown {
   Pattern pattern;
   std::vector<dvec2> samples;
   double rmse;
-  std::vector<double> power;
+  Spectrum spectrum;
 };
 
-/// Frequencies of a spectrum: so many cycles a pixel either way along both axes, row by row.
-inline constexpr int reach = 10, spectrum_side = 2 * reach + 1;
-
-/// Adds to a spectrum what one pixel's samples have at each frequency: |sum of exp(-2 pi i f s)|^2.
-inline void add_power(std::span<const dvec2> samples, std::vector<double>& power) {
-  std::vector<dvec2> sums(power.size(), dvec2(0));  // real and imaginary parts
-  const auto times = [](dvec2 a, dvec2 b) { return dvec2{a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; };
-  const auto turn = [](double part) {
-    const SinCos at = sin_cos(-2 * 3.14159265358979323846 * part);
-    return dvec2{at.cos, at.sin};
-  };
-  for (const dvec2 s : samples) {
-    const dvec2 right = turn(s.x), up = turn(s.y);
-    dvec2 row = turn(-reach * (s.x + s.y));
-    for (std::size_t i = 0; i < sums.size(); row = times(row, up)) {
-      dvec2 at = row;
-      for (int x = 0; x < spectrum_side; ++x, at = times(at, right)) sums[i++] += at;
-    }
-  }
-  for (std::size_t i = 0; i < sums.size(); ++i) power[i] += sums[i].x * sums[i].x + sums[i].y * sums[i].y;
-}
-
-/// A pattern's mean power over many pixels, 1 for independent samples; without that of frequency 0.
-inline std::vector<double> spectrum_of(Pattern pattern, int count, std::uint64_t seed) {
-  constexpr int pixels = 32;
-  std::vector<double> power(std::size_t{spectrum_side} * spectrum_side);
+/// A pattern's mean power over many pixels.
+inline Spectrum spectrum_of(Pattern pattern, int count, std::uint64_t seed) {
+  Spectrum spectrum(10);
   std::vector<dvec2> samples(static_cast<std::size_t>(count));
-  for (int i = 0; i < pixels; ++i) {
+  for (int i = 0; i < 32; ++i) {
     put(pattern, samples, numbers_of(seed, {i, 2}));
-    add_power(samples, power);
+    spectrum.add(samples);
   }
-  for (double& p : power) p /= double{pixels} * count;
-  power[power.size() / 2] = 0;
-  return power;
+  return spectrum;
 }
 
 /// The root mean square of what a pattern's means are off on random edges, each by another pattern: the same
@@ -150,8 +126,7 @@ class PatternsStory {
 
  private:
   // Three above three, each a pixel with its spectrum on the right
-  static constexpr int side = spectrum_side, gap = 1, width = 2 * side + gap, apart = 4, heading = 8,
-                       foot = 6;
+  static constexpr int side = 21, gap = 1, width = 2 * side + gap, apart = 4, heading = 8, foot = 6;
   /// The lower left cell of a pixel.
   static ivec2 lower(std::size_t i) {
     return {1 + static_cast<int>(i % 3) * (width + apart), foot + (i < 3 ? side + heading : 0)};
@@ -173,18 +148,14 @@ class PatternsStory {
       std::vector<Dropped> samples;
       for (const dvec2 s : done_[i].samples) samples.push_back({s, edge_.holds(s)});
       pixel.put_samples(view, id + "s", samples);
-      put_spectrum(view, lower(i) + ivec2{side + gap, 0}, done_[i].power);
+      put_spectrum(view, lower(i) + ivec2{side + gap, 0}, done_[i].spectrum);
     }
     board.milestone(std::move(view));
   }
-  /// The mean power of independent samples is half the light.
-  static void put_spectrum(View& view, ivec2 at, const std::vector<double>& power) {
+  static void put_spectrum(View& view, ivec2 at, const Spectrum& spectrum) {
     for (ivec2 p{0, 0}; p.y < side; ++p.y) {
-      for (p.x = 0; p.x < side; ++p.x) {
-        const double value = power[static_cast<std::size_t>((side - 1 - p.y) * side + p.x)];
-        view.cells.insert_or_assign({at.y + p.y, at.x + p.x},
-                                    CellLook{Role::result, "", tone_of(value / (1 + value))});
-      }
+      for (p.x = 0; p.x < side; ++p.x)
+        view.cells.insert_or_assign({at.y + p.y, at.x + p.x}, CellLook{Role::result, "", spectrum.tone(p)});
     }
   }
 

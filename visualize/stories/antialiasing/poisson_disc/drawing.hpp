@@ -52,7 +52,7 @@ class Sheet {
   }
   /// How long the radius is, below the area.
   void add_radius(View& view, const Words& words, double radius) const {
-    const double right = at(area_.size).x, length = radius * panel_.scale().x, y = 0.4;
+    const double right = at(area_.size).x, length = radius * panel_.scale().x, y = shown_.lower.y - 1.1;
     const double left = right - length;
     const std::string name = words.say("radius", {{"radius", radius}});
     if (length > 0.6 * width) {
@@ -72,16 +72,16 @@ class Sheet {
   void add_grid(View& view, const Grid& grid, std::optional<dvec2> asked) const {
     const dvec2 cell = area_.size / dvec2(grid.cells());
     for (int x = 1; x < grid.cells().x; ++x)
-      view.add({fmt::format("b x {:03}", x), Role::boundary,
+      view.add({fmt::format("b x {:03}", x), Role::guide,
                 Stroke{at({x * cell.x, 0}), at({x * cell.x, area_.size.y}), false, false, true}});
     for (int y = 1; y < grid.cells().y; ++y)
-      view.add({fmt::format("b y {:03}", y), Role::boundary,
+      view.add({fmt::format("b y {:03}", y), Role::guide,
                 Stroke{at({0, y * cell.y}), at({area_.size.x, y * cell.y}), false, false, true}});
     if (!asked) return;
     dvec2 lower = dvec2(grid.cell_of(*asked) - grid.reach()) * cell,
           upper = dvec2(grid.cell_of(*asked) + grid.reach() + 1) * cell;
     if (!area_.wraps) lower = glm::max(lower, dvec2(0)), upper = glm::min(upper, area_.size);
-    view.add({"a asked", Role::guide, gradus::Area{{box(lower, upper)}, 1}});
+    view.add({"a asked", Role::current, gradus::Area{{box(lower, upper)}, 1}});
   }
   /// What lies round a tile: copies of its samples, as far as they are on the paper.
   void add_copies(View& view, const std::vector<dvec2>& samples) const {
