@@ -53,7 +53,8 @@ class WuStory {
   void show(Board& board, const Paired& p) {
     board.milestone(p.front);
     const Whole last = subject_.size.dx;
-    telling_.offer(p.k, p.over && p.far > 0 ? 2 : p.far > 0 ? 1 : 0);
+    // Of such steps the last, by which most of the line is drawn
+    telling_.offer(p.k, (p.over && p.far > 0 ? 2 : p.far > 0 ? 1 : 0) + 1e-3 * static_cast<double>(p.k));
     const bool middle = 2 * p.k == last;
     if (!middle || subject_.go.tie) put_pair(board, p.front, aside(), p.far);
     if (!middle || !subject_.go.tie) put_pair(board, p.back, -aside(), p.far);
@@ -357,13 +358,14 @@ const TopicEntry& entry() {
              .tell = tell_cone<Way::right, [](auto... run) { gupta_sproull(run...); }>},
             {.name = "exact_area", .tell = tell_area},
             {.name = "side_by_side", .tell = tell_pictures, .function = "wu", .unread = {"from", "to"}},
+            {.name = "continued", .tell = tell_continued, .function = "wu"},
             {.name = "distance_along_column",
              .standing = Standing::faulty,
              .tell = tell_cone<Way::along_column, [](auto... run) { distance_along_column(run...); }>}},
        .parameters = {{"from", ParameterType::cell, "0,0", "0,0", "first pixel: column,row; y points up"},
                       {"to", ParameterType::cell, "7,3", "7,3", "last pixel"}},
-       .examples = {"--from 0,0 --to 7,3", "--to 5,4 --method gupta_sproull",
-                    "--to 4,3 --method exact_area"}});
+       .examples = {"--from 0,0 --to 7,3", "--to 5,4 --method gupta_sproull", "--to 4,3 --method exact_area",
+                    "--to 12,5 --method continued"}});
   return topic;
 }
 

@@ -56,7 +56,8 @@ inline Subject subject_of(const Arguments& arguments, bool wide) {
   }
   const Moves go = moves(from, to);
   const bool steep = bresenham_line::steep(from, to);
-  const ivec2 about = !wide ? ivec2{0} : steep ? ivec2{1, 0} : ivec2{0, 1};
+  const bool lone = size.dx > 0 && size.dy == 0;  // a single row: its numbers need room aside
+  const ivec2 about = !wide && !lone ? ivec2{0} : steep ? ivec2{1, 0} : ivec2{0, 1};
   const Window line = window_around(from, to);
   return {from, to, size, go, {line.lower - about, line.upper + about}};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The same star of lines by four methods, beside each other.
+// The same star of lines by four methods, beside each other; and one line, continued.
 
 #include "core/raster.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
@@ -9,6 +9,8 @@
 namespace gradus::antialiased_line {
 
 enum class Drawn : std::size_t { bresenham, wu, gupta_sproull, exact_area };
+inline constexpr std::array<std::string_view, 4> method_keys{"bresenham", "wu", "gupta_sproull",
+                                                             "exact_area"};
 
 /// Draws a line by one of the methods: plot(pixel, intensity).
 template <class Plot>
@@ -77,16 +79,21 @@ inline Raster<int> star_by(Drawn method, int reach) {
   return picture;
 }
 
+inline std::vector<std::string> names_of_methods(Narrator& narrator) {
+  for (const std::string_view below : {"gupta_sproull", "exact_area"}) narrator.list_below(below);
+  std::vector<std::string> names;
+  for (const std::string_view key : method_keys)
+    names.push_back(narrator.words().say(fmt::format("name.{}", key)));
+  return names;
+}
+
 inline void tell_pictures(Narrator& narrator) {
   constexpr int reach = 12;
-  constexpr std::array<std::string_view, 4> keys{"bresenham", "wu", "gupta_sproull", "exact_area"};
   constexpr std::array<std::string_view, 4> texts{"pictures.bresenham", "pictures.wu",
                                                   "pictures.gupta_sproull", "pictures.exact_area"};
   narrator.subtitle("pictures.subtitle", {});
   narrator.columns({{"method", false}, {"level"}, {"diagonal"}});
-  for (const std::string_view below : {"gupta_sproull", "exact_area"}) narrator.list_below(below);
-  std::vector<std::string> names;
-  for (const std::string_view key : keys) names.push_back(narrator.words().say(fmt::format("name.{}", key)));
+  const std::vector<std::string> names = names_of_methods(narrator);
   PictureShelf shelf(narrator, {.size = ivec2(2 * reach + 1), .names = names, .row = 2, .y_up = true});
   for (std::size_t m = 0; m < 4; ++m) shelf.wait(m);
   shelf.start({.text = "pictures.started"});
@@ -99,12 +106,49 @@ inline void tell_pictures(Narrator& narrator) {
                {.text = texts[m],
                 .facts = {{"level", level}, {"diagonal", diagonal}},
                 .row = {names[m], level, diagonal},
-                .key = std::string(keys[m]),
-                .phase = std::string(keys[m])});
+                .key = std::string(method_keys[m]),
+                .phase = names[m]});
   }
   shelf.finish({.text = "pictures.finished"});
   narrator.result(
       {{"wu_diagonal", ink_of(Drawn::wu, {1, 1})}, {"area_diagonal", ink_of(Drawn::exact_area, {1, 1})}});
+}
+
+/// The line that was asked for, going on until its pixels are as small as on a screen.
+inline void tell_continued(Narrator& narrator) {
+  constexpr int columns = 48;
+  constexpr std::array<std::string_view, 4> texts{"continued.bresenham", "continued.wu",
+                                                  "continued.gupta_sproull", "continued.exact_area"};
+  const Subject subject = subject_of(narrator.arguments(), false);
+  if (subject.point()) refuse("to", "expected another pixel than the first");
+  const ivec2 way = subject.to - subject.from;
+  const auto times = std::max(1, columns / static_cast<int>(subject.size.dx));
+  const Window line = window_around({0, 0}, times * way);
+  const ivec2 size = line.upper - line.lower + 3;
+  const int row = size.y > size.x ? 4 : 2;
+  narrator.subtitle("subtitle", {{"from", subject.from}, {"to", subject.to}});
+  narrator.columns({{"method", false}, {"ink"}});
+  const std::vector<std::string> names = names_of_methods(narrator);
+  PictureShelf shelf(
+      narrator, {.size = size, .names = names, .row = row, .heading = 1 + row * size.x / 16, .y_up = true});
+  for (std::size_t m = 0; m < 4; ++m) shelf.wait(m);
+  shelf.start({.text = "continued.started", .count = times});
+  for (std::size_t m = 0; m < 4; ++m) {
+    const auto method = static_cast<Drawn>(m);
+    const double ink = ink_of(method, way) / ink_of(method, {1, 0});
+    Raster<int> picture(size.x, size.y, none);
+    draw_by(method, ivec2(1) - line.lower, ivec2(1) - line.lower + times * way,
+            [&](ivec2 p, int intensity) { picture[p] += intensity; });
+    shelf.show("PictureDrawn", telling_line(method),
+               [&](ivec2 p) { return paint_of(std::min(picture[p], full)); },
+               {.text = texts[m],
+                .facts = {{"ink", ink}},
+                .row = {names[m], ink},
+                .key = std::string(method_keys[m]),
+                .phase = names[m]});
+  }
+  shelf.finish({.text = "continued.finished"});
+  narrator.result({{"wu", ink_of(Drawn::wu, way)}, {"exact_area", ink_of(Drawn::exact_area, way)}});
 }
 
 }  // namespace gradus::antialiased_line
