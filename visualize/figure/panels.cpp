@@ -26,21 +26,23 @@ constexpr double wide_text = 240;
 constexpr std::size_t many = 3;
 constexpr double least_of_many = 5;        ///< units: how small the cells of a whole grid may be among many
 constexpr double worth_the_numbers = 1.1;  ///< so much larger must cells be without the numbers beside them
+constexpr double little = 0.85;            ///< of the cells without the lines of text: how large they stay
 constexpr double rim = 0.1;                ///< beside the marks, in parts of their longer side
 
-/// Beside another drawing there is no room for lines of text.
-Stage beside_another(Stage stage, Content& content) {
-  return stage.content && stage.lines > 0 ? bare(stage, content) : stage;
+/// The lines of text on a paper, beside another drawing.
+enum class Lines { kept, left_out };
+Stage beside_another(Stage stage, Content& content, Lines lines) {
+  return stage.content && stage.lines > 0 && lines == Lines::left_out ? bare(stage, content) : stage;
 }
 
 /// What all runs have to show, so that they share axes and scale. `content` keeps what stands on their
 /// papers.
-Stage common_stage(std::span<const Trace* const> runs, const Look& look, Content& content) {
+Stage common_stage(std::span<const Trace* const> runs, const Look& look, Content& content, Lines lines) {
   Content front, others;
-  Stage all = beside_another(stage_of(*runs.front(), look), front);
+  Stage all = beside_another(stage_of(*runs.front(), look), front, lines);
   dvec2 upper = all.lower + all.size;
   for (const Trace* run : runs) {
-    const Stage other = beside_another(stage_of(*run, look), others);
+    const Stage other = beside_another(stage_of(*run, look), others, lines);
     upper = glm::max(upper, other.lower + other.size);
     all.cells = {glm::min(all.cells.lower, other.cells.lower), glm::max(all.cells.upper, other.cells.upper)};
     all.lower = glm::min(all.lower, other.lower);
@@ -255,8 +257,7 @@ class PanelSheet {
       : band_(band),
         look_(look),
         runs_(runs.size()),
-        plan_(
-            best_plan(cut_for(common_stage(runs, look, content_), content_, cut_, runs_), runs_, band, look)),
+        plan_(plan_for(runs)),
         tiling_(tiling_of_plan()),
         stage_(runs_ < many ? plan_.stage : spread(plan_.stage, content_, tiling_)),
         sheet_{look.width, look.height, {}, unit_of(look)} {
@@ -294,6 +295,15 @@ class PanelSheet {
   }
 
  private:
+  /// Two drawings keep the lines of text on their papers, where these can be read and take little of them.
+  Plan plan_for(std::span<const Trace* const> runs) {
+    const Stage stage = common_stage(runs, look_, content_, Lines::left_out);
+    const Plan without = best_plan(cut_for(stage, content_, cut_, runs_), runs_, band_, look_);
+    if (runs_ >= many || runs.front()->grid.lines <= 0) return without;
+    const Plan with = best_plan(common_stage(runs, look_, lines_, Lines::kept), runs_, band_, look_);
+    const bool fit = with.tiling && with.worth >= std::max(with.stage.lines, little * without.worth);
+    return fit ? with : without;
+  }
   Tiling tiling_of_plan() const {
     const Box& area = plan_.page.middle;
     expects(plan_.tiling.has_value(),
@@ -335,7 +345,7 @@ class PanelSheet {
   const PanelBand& band_;
   const Look& look_;
   const std::size_t runs_;
-  Content content_, cut_;
+  Content content_, cut_, lines_;
   Plan plan_;
   Tiling tiling_;
   const Stage stage_;

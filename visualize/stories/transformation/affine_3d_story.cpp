@@ -19,13 +19,16 @@ class ProductStory {
       : words_(words), subject_(subject), by_rows_(rows), stages_(stages(subject.factors, rows)) {
     if (rows) {
       others_ = stages(subject.factors, false);
-    } else if (subject.compare) {
+    } else if (subject.compare && subject.factors.size() > 1) {
       reversed_.assign(subject.factors.rbegin(), subject.factors.rend());
       others_ = stages(reversed_, false);
     }
     Extent world = world_of_axes(dvec3(reach_of(subject.size)));
     for (const auto* list : {&stages_, &others_}) {
-      for (const Shape& shape : *list) add_to(world, shape);
+      for (const Shape& shape : *list) far_ = std::max(far_, 1.5 * length_between(shape[0], shape[7]));
+    }
+    for (const auto* list : {&stages_, &others_}) {
+      for (const Shape& shape : *list) add_to(world, nearer(shape, far_));
     }
     panels_.emplace_back(others_.empty() ? single_place : left_place, widened(world, 0.03));
     if (!others_.empty()) panels_.emplace_back(right_place, widened(world, 0.03));
@@ -123,10 +126,12 @@ class ProductStory {
     SpaceDrawing space = drawing_in(panel);
     add_axes_of_space(view, space, panel, id, dvec3(reach_of(subject_.size)), words_);
     if (done_ > 0) add_given(space, id + " 0", list[0]);
-    if (done_ > 1) add_outline(space, id + " 1", Role::past, list[done_ - 1]);
-    add_box(space, id + " 2", done_ > 0 ? role : Role::input, list[done_]);
+    if (done_ > 1) add_outline(space, id + " 1", Role::past, nearer(list[done_ - 1], far_));
+    const Shape now = nearer(list[done_], far_);
+    add_box(space, id + " 2", done_ > 0 ? role : Role::input, now);
     space.add_to(view, "a " + id);
-    add_dot(view, panel, id + " corner", done_ ? role : Role::input, list[done_][corner_a], "A");
+    add_dot(view, panel, id + " corner", done_ ? role : Role::input, now[corner_a], "A");
+    if (now != list[done_]) add_broken_way(view, panel, id, middle_of(now), words_.say("nearer"));
   }
   /// Of the factors that have acted.
   Mat product_of(const std::vector<Mat>& factors) const {
@@ -152,6 +157,7 @@ class ProductStory {
   std::vector<Shape> stages_, others_;
   std::vector<Mat> reversed_;  ///< the factors, where their reverse order is shown
   std::vector<Panel> panels_;
+  double far_ = 0;  ///< from there on boxes are drawn nearer
   std::size_t done_ = 0;
   Mat product_{1};
 };

@@ -47,10 +47,14 @@ inline SpaceDrawing drawing_in(const Panel& panel) {
                        .at = [&panel](dvec3 p) { return std::optional(panel.at(oblique(p))); }});
 }
 
-/// A box's faces, each counter-clockwise from outside, whichever way a matrix has turned them.
-inline std::vector<std::vector<dvec3>> faces_of(const Shape& shape) {
+inline dvec3 middle_of(const Shape& shape) {
   dvec3 middle{0};
   for (std::size_t i = 0; i < 8; ++i) middle += shape[i] / 8.0;
+  return middle;
+}
+/// A box's faces, each counter-clockwise from outside, whichever way a matrix has turned them.
+inline std::vector<std::vector<dvec3>> faces_of(const Shape& shape) {
+  const dvec3 middle = middle_of(shape);
   std::vector<std::vector<dvec3>> rings;
   for (const auto& face : faces_of_box()) {
     std::vector<dvec3>& ring = rings.emplace_back();
@@ -107,6 +111,30 @@ inline void add_given(SpaceDrawing& space, const std::string& id, const Shape& s
         SpaceFace{.id = fmt::format("{} {}", id, number++), .role = Role::input, .ring = std::move(ring)});
   }
   add_outline(space, id, Role::input, shape);
+}
+
+/// A box far from the origin, drawn nearer: beyond `far` ever less of its way there is left, at last as much
+/// again.
+inline Shape nearer(Shape shape, double far) {
+  const dvec3 middle = middle_of(shape);
+  const double away = length_between(dvec3(0), middle);
+  if (away <= far) return shape;
+  const double part = far / away * (2 - far / away);
+  for (dvec3& p : shape) p += (part - 1) * middle;
+  return shape;
+}
+/// The way from the origin to what is drawn nearer, with a break across it.
+inline void add_broken_way(View& view, const Panel& panel, const std::string& id, dvec3 to,
+                           const std::string& words) {
+  const dvec2 a = panel.at({0, 0}), b = panel.at(oblique(to)), along = unit(b - a), across{-along.y, along.x};
+  const dvec2 middle = 0.5 * (a + b);
+  view.add({"c way " + id, Role::guide, Stroke{a, b, false, true}});
+  for (const double aside : {-0.25, 0.25}) {
+    view.add({fmt::format("c break {} {}", id, aside), Role::guide,
+              Stroke{middle + aside * along - 0.5 * across - 0.2 * along,
+                     middle + aside * along + 0.5 * across + 0.2 * along}});
+  }
+  view.add({"k break " + id, Role::guide, Label{middle, words}});
 }
 
 /// A point with its name.
