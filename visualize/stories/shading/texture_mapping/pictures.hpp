@@ -123,14 +123,17 @@ inline void tell_all_filters(Narrator& narrator) {
   const Words& words = narrator.words();
   narrator.list_below("bilinear");
   narrator.list_below("mip_mapped");
-  const Subject subject = subject_of(narrator.arguments());
-  const Picture right = supersampled(subject);
+  const Subject given = subject_of(narrator.arguments());
+  const int finer = std::max(1, 80 / std::max(given.size.x, given.size.y));
+  const Subject subject = in_finer_pixels(given, finer);
+  const Picture right = supersampled(subject, std::max(4, 16 / finer));
   narrator.subtitle("subtitle",
                     {{"size", subject.size_text()}, {"columns", subject.size.x}, {"rows", subject.size.y}});
   narrator.columns({{"filter", false}, {"most"}, {"off"}});
   const std::vector<std::string> names{words.say("method.nearest"), words.say("method.bilinear"),
                                        words.say("method.mip_mapped")};
-  PictureShelf shelf(narrator, {.size = subject.size, .names = names});
+  PictureShelf shelf(narrator, {.size = subject.size, .names = names, .gap = 4, .heading = 9});
+  narrator.trace().grid.lines = 1;  // its cells may be as fine as on a screen
   shelf.start({.text = "three.started",
                .words = {{"columns", subject.size.x},
                          {"rows", subject.size.y},
@@ -150,7 +153,7 @@ inline void tell_all_filters(Narrator& narrator) {
                 .words = {{"before", before}},
                 .row = {name, texels, off.back()},
                 .key = key,
-                .phase = key});
+                .phase = name});
   };
   filter("three.nearest", "= texel(at)", 1,
          [&](dvec2 uv, const auto&) { return nearest(uv, subject.texture, texel); });

@@ -82,9 +82,17 @@ Picture picture_of(const Subject& subject, const Filter& filter) {
   return picture;
 }
 
-/// The same with 16 x 16 samples per pixel: what the filters are measured by.
-inline Picture supersampled(const Subject& subject) {
-  constexpr int samples = 16;
+/// The same quad in so many times as many pixels either way, that what a filter does is seen and not they; of
+/// a single texture as many copies, which would only be magnified.
+inline Subject in_finer_pixels(Subject subject, int times) {
+  subject.size *= times;
+  for (dvec3& corner : subject.corners) corner *= dvec3(times, times, 1);
+  if (subject.tiles == 1) subject.tiles = times;
+  return subject;
+}
+
+/// The same with so many samples per pixel either way: what the filters are measured by.
+inline Picture supersampled(const Subject& subject, int samples) {
   Picture picture;
   std::map<std::pair<int, int>, int> counted;
   each_place(subject, [&](Triangle triangle, const Corners<double>& corners) {
