@@ -89,28 +89,37 @@ struct Pattern {
   void add_frame(View& view, const std::string& id, Role role) const {
     view.add({id + " frame", role, Path{part({0, 0}, {mask_columns, mask_rows}), true}});
   }
+  /// Squares that lines fill, as tints alone are lost on a projector and dots, which keep their size, touch
+  /// in small masks; hatched with a rim what is hidden.
   void add_bits(View& view, const std::string& id, Mask mask, Role role) const {
+    const bool solid = role != Role::rejected && role != Role::candidate;  // those have dashed rims
+    const double gap = solid ? 0.3 : 0.2;
     gradus::Area bits;
-    constexpr double gap = 0.1;
     for (int i = 0; i < samples; ++i) {
+      if ((mask & bit_of(i)) == 0) continue;
       const dvec2 at{i % mask_columns, i / mask_columns};
-      if ((mask & bit_of(i)) != 0) bits.rings.push_back(part(at + gap, at + 1.0 - gap));
+      bits.rings.push_back(part(at + gap, at + 1.0 - gap));
+      Path path{bits.rings.back(), true};
+      if (solid) path.points = filled(std::move(path.points));
+      view.add({fmt::format("{} bit {:02}", id, i), role, std::move(path)});
     }
     bits.shade = role == Role::rejected ? 0 : 3;
     if (!bits.rings.empty()) view.add({id + " bits", role, bits});
-    // Where there is room, as sub-samples look: tints alone are lost on a projector
-    constexpr double least = 0.85;
-    for (int i = 0; i < samples && square >= least; ++i) {
-      const dvec2 middle = corner + square * dvec2(i % mask_columns + 0.5, -(i / mask_columns + 0.5));
-      if ((mask & bit_of(i)) != 0)
-        view.add({fmt::format("{} dot {:02}", id, i), role, Dot{middle, role == Role::rejected}});
-    }
   }
 
  private:
+  dvec2 at(double x, double y) const { return corner + square * dvec2(x, -y); }
   std::vector<dvec2> part(dvec2 a, dvec2 b) const {
-    const auto at = [&](double x, double y) { return corner + square * dvec2(x, -y); };
     return {at(a.x, a.y), at(b.x, a.y), at(b.x, b.y), at(a.x, b.y)};
+  }
+  /// A square's rim with lines across it.
+  static std::vector<dvec2> filled(std::vector<dvec2> rim) {
+    const dvec2 left = rim[3] - rim[0], right = rim[2] - rim[1];
+    for (const double part : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+      const dvec2 a = rim[0] + part * left, b = rim[1] + part * right;
+      rim.insert(rim.end(), {a, b, a});
+    }
+    return rim;
   }
 };
 
