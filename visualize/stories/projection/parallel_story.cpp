@@ -42,7 +42,8 @@ std::string factor(double value) { return figure_factor(real(value)); }
 class Story {
  public:
   Story(const Words& words, const Subject& subject, const Images& images)
-      : subject_(subject),
+      : words_(words),
+        subject_(subject),
         progress_({words.wording(),
                    subject.solid,
                    subject.sheet,
@@ -77,7 +78,8 @@ class Story {
                       {"product", factor(glm::dot(n, c.point))},
                       {"slope", factor(glm::dot(n, subject_.direction))},
                       {"t", real(c.t)}},
-            .key = progress_.key()};
+            .key = progress_.key(),
+            .phase = words_.shared("projection", progress_.phase())};
   }
 
   void show(Board& board, const Projected<double>& p) {
@@ -108,7 +110,8 @@ class Story {
                       {"image", image},
                       {"right", place_text(right)}},
             .row = {progress_.number(), place_text(p.point), real(t_), place_text(p.image)},
-            .key = progress_.key()};
+            .key = progress_.key(),
+            .phase = words_.shared("projection", progress_.phase())};
   }
 
   void show(Board& board, const steps::Finished&) {
@@ -152,6 +155,7 @@ class Story {
     view.add({"e off", Role::measure, Stroke{from, scenery.in_picture(subject_.right[worst])}});
   }
 
+  const Words& words_;
   const Subject& subject_;
   solids::Progress progress_;
   double t_ = 0;

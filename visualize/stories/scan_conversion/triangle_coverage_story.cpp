@@ -30,8 +30,10 @@ class Story {
  public:
   Story(const Words& words, const Subject& subject, Way way) : words_(words), subject_(subject), way_(way) {}
 
-  /// The step that tells most: one that goes wrong, or where an edge decides, or else the last that covers.
-  std::optional<StepNumber> telling() const { return telling_; }
+  /// The step that tells most: one that goes wrong, or, not too early, where an edge decides; else the last.
+  std::optional<StepNumber> telling() const {
+    return worth_ == 2 && last_covered_ && 4 * telling_->step < milestones_ ? last_covered_ : telling_;
+  }
   std::int64_t wrong() const { return std::ssize(wrong_); }
   std::int64_t twice() const { return std::ssize(twice_); }
   void turn_to(std::size_t triangle) { triangle_ = triangle; }
@@ -333,6 +335,7 @@ class Story {
     const auto zeros = std::ranges::count(t.weights, 0);
     const bool goes_wrong = is_wrong(t.pixel) || (way_ == Way::closed && drawn_before_ && t.covered);
     const int worth = goes_wrong ? 3 : zeros == 1 && none_negative(t.weights) ? 2 : t.covered ? 1 : 0;
+    if (t.covered) last_covered_ = {milestones_, 0};
     if (worth < worth_) return;
     worth_ = worth;
     telling_ = {milestones_, 0};
@@ -351,7 +354,7 @@ class Story {
   std::int64_t strict_ = 0, found_ = 0, milestones_ = -1;
   int worth_ = 0;
   std::optional<std::pair<ivec2, CellLook>> at_hand_;
-  std::optional<StepNumber> telling_;
+  std::optional<StepNumber> telling_, last_covered_;
 };
 
 // --- The methods
