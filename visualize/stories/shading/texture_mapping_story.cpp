@@ -72,7 +72,7 @@ class Story {
                           {"right", figure_place(other_place())}},
                 .row = {m.pixel.x, m.pixel.y, m.linear.x, m.linear.y, m.linear.z, m.uv.x, m.uv.y, here()},
                 .key = pixel_key(m.pixel),
-                .phase = "pixels"};
+                .phase = phase()};
     if (bent_) event.row = {m.pixel.x, m.pixel.y, m.uv.x, m.uv.y, other_place().x, other_place().y, here()};
     if (other != texel) {
       event.decides = Decision{words_.say("question.texel", {{"pixel", m.pixel}}),
@@ -102,7 +102,7 @@ class Story {
                       {"I", p.colour}},
             .row = {at_.pixel.x, at_.pixel.y, p.uv.x, p.uv.y, texel_name(p.texel), p.colour},
             .key = pixel_key(at_.pixel),
-            .phase = "pixels",
+            .phase = phase(),
             .decides = which_texel(p.uv, p.texel)};
   }
 
@@ -128,7 +128,7 @@ class Story {
                           {"c3", b.colours[3]},
                           {"I", b.colour}},
                 .key = pixel_key(at_.pixel),
-                .phase = "pixels"};
+                .phase = phase()};
     if (mip_) return event;
     event.row = {at_.pixel.x, at_.pixel.y, b.uv.x, b.uv.y, b.parts.x, b.parts.y, b.colour};
     event.decides = which_texel(b.uv, subject_.nearest_texel(b.uv));
@@ -164,7 +164,7 @@ class Story {
                   {"part", c.level.part}},
         .row = {at_.pixel.x, at_.pixel.y, at_.uv.x, at_.uv.y, c.length, c.level.lower + c.level.part},
         .key = pixel_key(at_.pixel),
-        .phase = "pixels",
+        .phase = phase(),
         .decides = Decision{words_.say("question.level", {{"length", c.length}}), answers,
                             static_cast<std::size_t>(c.level.lower), magnified ? "magnified" : "minified"}};
   }
@@ -182,7 +182,7 @@ class Story {
                       {"next", m.level.lower + 1},
                       {"I", m.colour}},
             .key = pixel_key(at_.pixel),
-            .phase = "pixels",
+            .phase = phase(),
             .level = gradus::Level::step};
   }
 
@@ -200,6 +200,7 @@ class Story {
   }
 
  private:
+  std::string phase() const { return words_.say("phase", {{"number", half_done_ ? 2 : 1}}); }
   /// The drawing with the pixel's colour.
   View coloured(double grey) {
     picture_[{at_.pixel.x, at_.pixel.y}] = grey;
