@@ -220,7 +220,8 @@ class CandidateStory {
                                  : "candidates.nearer",
                 .facts = {{"x", c.place.x}, {"y", c.place.y}, {"best", c.best}},
                 .words = {{"place", c.place}},
-                .key = figure_number(std::ssize(compared_))};
+                .key = figure_number(std::ssize(compared_)),
+                .phase = phase(std::ssize(samples_))};
     if (first) return event;
     event.facts.push_back({"nearest", c.nearest});
     event.words.push_back({"nearest", c.nearest});
@@ -241,7 +242,8 @@ class CandidateStory {
                 .words = {{"place", t.sample}, {"number", std::ssize(samples_)}},
                 .count = t.candidates,
                 .row = {std::ssize(samples_), t.sample, "", t.candidates},
-                .key = figure_number(std::ssize(samples_))};
+                .key = figure_number(std::ssize(samples_)),
+                .phase = phase(std::ssize(samples_) - 1)};
     if (first) return event;
     event.facts.push_back({"nearest", t.nearest});
     event.words.push_back({"nearest", t.nearest});
@@ -263,6 +265,9 @@ class CandidateStory {
   }
 
  private:
+  std::string phase(std::int64_t before) const {
+    return words_.say(before < half_ ? "phase.growing" : "phase.gaps");
+  }
   void put(Board& board, bool milestone) {
     View view;
     sheet_.add_frame(view);

@@ -79,7 +79,7 @@ class Story {
                       {"slope", factor(glm::dot(n, subject_.direction))},
                       {"t", real(c.t)}},
             .key = progress_.key(),
-            .phase = words_.shared("projection", progress_.phase())};
+            .phase = words_.wording().say(progress_.phase())};
   }
 
   void show(Board& board, const Projected<double>& p) {
@@ -111,7 +111,7 @@ class Story {
                       {"right", place_text(right)}},
             .row = {progress_.number(), place_text(p.point), real(t_), place_text(p.image)},
             .key = progress_.key(),
-            .phase = words_.shared("projection", progress_.phase())};
+            .phase = words_.wording().say(progress_.phase())};
   }
 
   void show(Board& board, const steps::Finished&) {

@@ -458,15 +458,15 @@ class Progress {
       : scenery_(std::move(scenery)), images_(scenery_.solid().corners.size()) {}
   void turn_to(std::size_t corner) { corner_ = corner; }
   void arrive(dvec3 image) { images_[corner_] = image; }
-
   const Scenery& scenery() const { return scenery_; }
   const Scenery::Images& images() const { return images_; }
   std::size_t corner() const { return corner_; }
   /// Of the corner at hand, counted from 1.
   std::int64_t number() const { return static_cast<std::int64_t>(corner_) + 1; }
   std::string key() const { return fmt::format("{}", corner_); }
-  std::string_view phase() const { return 2 * corner_ < images_.size() ? "front" : "back"; }
-
+  std::string_view phase() const {
+    return 2 * corner_ < images_.size() ? "projection.front" : "projection.back";
+  }
   /// whole: the picture is complete, and its faces are shown.
   View drawing(bool whole) const { return drawing(whole, false); }
   View with_corner() const { return drawing(false, true); }

@@ -55,7 +55,7 @@ class ProjectionStory
             .facts = {{"corner", progress_.number()}, {"factor", s.factor}},
             .words = {{"z", s.point.z}, {"d", real(d_)}, {"factor", real(s.factor)}},
             .key = progress_.key(),
-            .phase = words_.shared("projection", progress_.phase()),
+            .phase = words_.wording().say(progress_.phase()),
             .decides = before_eye(words_, s.point.z)};
   }
 
@@ -70,7 +70,7 @@ class ProjectionStory
             .row = {progress_.number(), place_text(p.point), real(last<Scaled<double>>()->factor),
                     picture_text(p.image)},
             .key = progress_.key(),
-            .phase = words_.shared("projection", progress_.phase()),
+            .phase = words_.wording().say(progress_.phase()),
             .decides = before_eye(words_, p.point.z)};
   }
 
@@ -80,7 +80,7 @@ class ProjectionStory
             .words = {{"z", real(u.point.z)}},
             .row = {progress_.number(), place_text(u.point), "", words_.say("no_image")},
             .key = progress_.key(),
-            .phase = words_.shared("projection", progress_.phase()),
+            .phase = words_.wording().say(progress_.phase()),
             .decides = before_eye(words_, u.point.z)};
   }
 
