@@ -1,5 +1,5 @@
-// Three bars, each over the next, three ways: their parts from back to front, the cuts watched by a lambda,
-// one step as a figure. Writes bsp_tree.svg into the current folder.
+// Three walls, of which the first one's plane cuts the others, three ways: their parts from back to front,
+// the cuts watched by a lambda, one step as a figure. Writes bsp_tree.svg into the current folder.
 
 #include "visibility/bsp_tree/bsp_tree.hpp"
 
@@ -14,22 +14,21 @@
 int main() {
   using namespace gradus;
   using namespace gradus::bsp_tree;
-  const std::vector<Polygon<double>> bars{
-      {{{-6.2, -3.6, -1.2}, {6.2, -3.6, 1.2}, {6.2, -1.6, 1.2}, {-6.2, -1.6, -1.2}}, 0},
-      {{{6.2, -3.6, -1.2}, {0, 7.1, 1.2}, {-1.7, 6.1, 1.2}, {4.5, -4.6, -1.2}}, 1},
-      {{{0, 7.2, -1.2}, {-6.2, -3.5, 1.2}, {-4.5, -4.5, 1.2}, {1.7, 6.2, -1.2}}, 2}};
+  const std::vector<Polygon<double>> walls{{{{7, 0, 8}, {6, 0, 5}, {6, 3, 5}, {7, 3, 8}}, 0},
+                                           {{{2, 0, 9}, {2, 3, 9}, {11, 3, 12}, {11, 0, 12}}, 1},
+                                           {{{1, 0, 0}, {9, 0, 4}, {9, 3, 4}, {1, 3, 0}}, 2}};
 
-  // The order for an eye at (1, 2, 30)
-  const Tree<double> tree = build(bars);
+  // The order for an eye at (12, 2, 20)
+  const Tree<double> tree = build(walls);
   const auto print = [](const Polygon<double>& part) { fmt::print("{}", "ABC"[part.face]); };
-  back_to_front(tree, Eye<double>{1, 2, 30, 1}, print);
+  back_to_front(tree, Eye<double>{12, 2, 20, 1}, print);
   fmt::print("\n");
 
   // What is cut, as the algorithm reports it
   const auto watch = []<class Step>(const Step& step) {
     if constexpr (std::same_as<Step, Split<double>>) fmt::print("{} is cut\n", "ABC"[step.behind.face]);
   };
-  build(bars, ExactSide{}, watch);
+  build(walls, ExactSide{}, watch);
 
   // Step 2 as a figure
   const Trace trace = trace_of(*find_entry("bsp_tree"));

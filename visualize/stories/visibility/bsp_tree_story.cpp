@@ -9,9 +9,9 @@
 namespace gradus::bsp_tree {
 namespace {
 
-/// Of the paper: space, the plane at hand and the tree.
+/// Of the paper: space, the plane at hand and the tree; all of that for a plan.
 constexpr Extent space_place{{0.6, 0.6}, {18.4, 23.4}}, edge_on_place{{22.4, 1.4}, {35, 10.2}},
-    tree_place{{20, 12.8}, {35, 22.8}}, whole_tree_place{{20, 1}, {35, 22.8}};
+    tree_place{{20, 12.8}, {35, 22.8}}, whole_tree_place{{21.6, 3}, {33.9, 22.8}};
 
 // --- The tree is built
 
@@ -25,7 +25,8 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
         cuts_(cut),
         names_(subject.parts),
         space_(subject.reader, space_place, subject.points),
-        drawing_(tree, tree_place),
+        plan_(plan_of(subject, tree, picture_place)),
+        drawing_(tree, plan_ ? whole_tree_place : tree_place),
         whole_(tree, whole_tree_place) {
     for (const DPolygon& polygon : subject.polygons) pieces_.push_back({polygon, none, false});
   }
@@ -37,6 +38,7 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
   }
 
   dvec2 at(dvec3 p) const { return space_.at(p); }
+  bool is_plan() const { return plan_.has_value(); }
 
   Event say(const steps::Started&) const {
     return {.text = "started", .count = std::ssize(pieces_), .level = Level::idea};
@@ -107,21 +109,10 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
 
   View draw() const {
     View view;
-    const auto face = [&](const DPolygon& polygon, Role role) {
-      return ShownFace{names_(polygon), polygon.corners, role};
-    };
-    if (now<Built>() && !cuts_) {
-      space_.add_painted(view, mapped(painted(), [&](const DPolygon& p) { return face(p, Role::result); }));
-    } else {
-      std::vector<SpaceEdge> lines;
-      if (const auto edge = cut())
-        lines.push_back(
-            {.id = "c cut", .role = Role::measure, .a = edge->first, .b = edge->second, .behind = false});
-      space_.add(view,
-                 mapped(pieces_, [&](const Piece& piece) { return face(piece.polygon, role_of(piece)); }),
-                 lines);
-    }
-    if (last<PlaneTaken<double>>() && !now<Built>()) add_edge_on(view);
+    if (plan_ && (cuts_ || !now<Built>()))
+      add_plan(view);
+    else
+      add_space(view);
     add_tree(view);
     return view;
   }
@@ -209,6 +200,7 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
     });
   }
 
+  static Role side_role(bool in_front) { return in_front ? Role::accepted : Role::rejected; }
   Role role_of(const Piece& piece) const {
     if (now<Built>()) return Role::result;
     if (const auto* taken = last<PlaneTaken<double>>(); taken && piece.node == taken->node)
@@ -221,6 +213,47 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
     return Role::input;
   }
 
+  void add_plan(View& view) const {
+    const auto* taken = last<PlaneTaken<double>>();
+    if (now<Built>()) {
+      for (std::size_t i = 0; const auto& [node, in_front] : whole_.leaves())
+        plan_->add_region(view, node, in_front, side_role(in_front), fmt::format("{}", ++i));
+    } else if (taken) {
+      for (const bool in_front : {true, false})
+        plan_->add_region(view, taken->node, in_front, side_role(in_front));
+    }
+    plan_->add_border(view);
+    for (const PlaneTaken<double>& t : all<PlaneTaken<double>>()) {
+      const bool at_hand = &t == taken && !now<Built>();
+      plan_->add_line(view, t.node,
+                      at_hand        ? Role::boundary
+                      : now<Built>() ? Role::result
+                                     : Role::past,
+                      at_hand);
+    }
+    for (const Piece& piece : pieces_) {
+      const Role role = role_of(piece);
+      plan_->add_wall(view, piece.polygon, role, names_(piece.polygon), role == Role::current);
+    }
+    if (const auto edge = cut()) plan_->add_dot(view, "s cut", Role::measure, edge->first);
+  }
+  void add_space(View& view) const {
+    const auto face = [&](const DPolygon& polygon, Role role) {
+      return ShownFace{names_(polygon), polygon.corners, role};
+    };
+    if (now<Built>() && !cuts_) {
+      space_.add_painted(view, mapped(painted(), [&](const DPolygon& p) { return face(p, Role::result); }));
+    } else {
+      std::vector<SpaceEdge> lines;
+      if (const auto edge = cut())
+        lines.push_back(
+            {.id = "c cut", .role = Role::measure, .a = edge->first, .b = edge->second, .behind = false});
+      space_.add(view,
+                 mapped(pieces_, [&](const Piece& piece) { return face(piece.polygon, role_of(piece)); }),
+                 lines);
+    }
+    if (last<PlaneTaken<double>>() && !now<Built>()) add_edge_on(view);
+  }
   void add_edge_on(View& view) const {
     std::vector<DPolygon> here;
     for (const Piece& piece : pieces_) {
@@ -254,7 +287,7 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
       if (piece.node != none || piece.parent == none) continue;
       if (piece.here && !piece.side) continue;
       auto& [role, names] = waiting[{piece.parent, piece.in_front}];
-      role = piece.here ? piece.in_front ? Role::accepted : Role::rejected : Role::past;
+      role = piece.here ? side_role(piece.in_front) : Role::past;
       names.push_back(names_(piece.polygon));
     }
     for (const auto& [place, list] : waiting) {
@@ -263,6 +296,8 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
       drawing.add_branch(view, parent, child, in_front, list.first);
       drawing.add_waiting(view, child, list.first, list.second);
     }
+    for (std::size_t i = 0; plan_ && cuts_ && now<Built>() && i < drawing.leaves().size(); ++i)
+      drawing.add_leaf(view, i, side_role(drawing.leaves()[i].second), fmt::format("{}", i + 1));
   }
 
   const Words& words_;
@@ -271,6 +306,7 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
   const bool cuts_;
   PartNames names_;
   FacesPicture space_;
+  const std::optional<Plan> plan_;
   TreeDrawing drawing_, whole_;  ///< as it grows, and in the end
   std::vector<Piece> pieces_;
 };
@@ -279,7 +315,8 @@ class BuildStory : public Past<steps::Started, PlaneTaken<double>, Placed<double
 
 void set_up(Narrator& narrator, const Subject& subject) {
   narrator.paper(paper_width, paper_height);
-  narrator.subtitle("subtitle", {{"count", subject.polygons.size()}, {"towards", subject.reader.towards}});
+  narrator.subtitle(direction_of_walls(subject.polygons) ? "subtitle.plan" : "subtitle",
+                    {{"count", subject.polygons.size()}});
 }
 
 template <bool cut>
@@ -299,7 +336,8 @@ void tell_build(Narrator& narrator) {
   };
   const DTree tree = built();
   BuildStory story(narrator.words(), subject, tree, cut);
-  narrator.handles("faces", [&](dvec3 p) { return story.at(p); });
+  // A wall moved by one corner stands no longer
+  if (!story.is_plan()) narrator.handles("faces", [&](dvec3 p) { return story.at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   built(watch);
@@ -323,11 +361,19 @@ void tell_walk(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   set_up(narrator, subject);
   narrator.columns({{"number"}, {"polygon", false}, {"eye", false}});
-  narrator.legend(
-      {{Role::current, "now"}, {Role::input, "drawn"}, {Role::past, "waiting"}, {Role::result, "whole"}});
+  narrator.legend({{Role::current, "now"},
+                   {Role::accepted, "first"},
+                   {Role::candidate, "last"},
+                   {Role::input, "drawn"},
+                   {Role::past, "waiting"},
+                   {Role::result, "whole"},
+                   {Role::measure, "eye"}});
   const DTree tree = build(subject.polygons);
   WalkStory story(narrator.words(), subject, tree, names_after(subject));
-  narrator.handles("faces", [&](dvec3 p) { return story.at(p); });
+  if (story.plan())
+    narrator.handles("towards", [&](dvec3 p) { return story.plan()->eye_at(p); });
+  else
+    narrator.handles("faces", [&](dvec3 p) { return story.at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   back_to_front(tree, Eye<double>(subject.reader.towards, 0), [](const DPolygon&) {}, watch);
@@ -364,11 +410,10 @@ const TopicEntry& entry() {
        .columns = {{"plane", false}, {"polygon", false}, {"in_front"}, {"behind"}, {"side", false}},
        .counts = {"Split", "Drawn"},
        .parameters = {faces_subject::faces_parameter(
-                          "A: -6.2,-3.6,-1.2 6.2,-3.6,1.2 6.2,-1.6,1.2 -6.2,-1.6,-1.2; "
-                          "B: 6.2,-3.6,-1.2 0,7.1,1.2 -1.7,6.1,1.2 4.5,-4.6,-1.2; "
-                          "C: 0,7.2,-1.2 -6.2,-3.5,1.2 -4.5,-4.5,1.2 1.7,6.2,-1.2",
+                          "A: 7,0,8 6,0,5 6,3,5 7,3,8; B: 2,0,9 2,3,9 11,3,12 11,0,12; "
+                          "C: 1,0,0 9,0,4 9,3,4 1,3,0",
                           "A: 0,0,0 4,0,0 4,3,0; B: 1,1,-1 3,1,-1 3,1,2 1,1,2"),
-                      faces_subject::towards_parameter("0.2,-0.4,1")},
+                      faces_subject::towards_parameter("1,1,2")},
        .examples = {"--method back_to_front", "--method uncut",
                     "--faces 'A: 0,0,0 4,0,0 4,3,0 0,3,0; B: 1,1,-2 3,1,-2 3,1,2 1,1,2' --towards 1,2,3"},
        .checking = &checking()});

@@ -73,21 +73,24 @@ class TreeDrawing {
     const std::function<void(std::size_t, std::size_t)> walk = [&](std::size_t node, std::size_t depth) {
       if (node == none) return;
       walk(tree[node].behind, depth + 1);
+      if (tree[node].behind == none) leaves_.emplace_back(node, false);
       ranks[node] = rank++;
       depths[node] = depth;
       deepest = std::max(deepest, depth);
       walk(tree[node].in_front, depth + 1);
+      if (tree[node].in_front == none) leaves_.emplace_back(node, true);
     };
     if (!tree.empty()) walk(0, 0);
     const double across =
         (place.size().x - 2 * radius) / static_cast<double>(std::max<std::size_t>(rank, 2) - 1);
     const double down =
-        std::min(4.4, (place.size().y - 2 * radius) / static_cast<double>(std::max<std::size_t>(deepest, 1)));
+        std::min(6.0, (place.size().y - 2 * radius) / static_cast<double>(std::max<std::size_t>(deepest, 1)));
     // Neighbours of one depth are two ranks apart
     left_ = place.lower.x;
     right_ = place.upper.x;
     widest_ = std::max(0.95 * across, 0.5);
     height_ = std::min(radius, 0.36 * down);
+    to_leaf_ = {std::min(0.5 * across, 1.5), std::min(0.65 * down, 3.0)};
     for (std::size_t i = 0; i < tree.size(); ++i) {
       const double x =
           rank == 1 ? place.centre().x : place.lower.x + radius + across * static_cast<double>(ranks[i]);
@@ -125,21 +128,37 @@ class TreeDrawing {
               Text{0.5 * (from + to) + aside, in_front ? "+" : "−"}});
   }
 
+  /// The regions that are parted no more, from left to right: the node above, and on which side of it.
+  const std::vector<std::pair<std::size_t, bool>>& leaves() const { return leaves_; }
+  /// A leaf with the name of its region, where leaves have room.
+  void add_leaf(View& view, std::size_t leaf, Role role, const std::string& name) const {
+    const auto& [node, in_front] = leaves_[leaf];
+    if (to_leaf_.x < 0.7) return;
+    const dvec2 from = at_[node], to = from + dvec2{in_front ? to_leaf_.x : -to_leaf_.x, -to_leaf_.y};
+    const dvec2 way = glm::normalize(to - from), half(std::min(0.8, 0.9 * to_leaf_.x));
+    const std::string id = fmt::format("t leaf {:02}", leaf);
+    view.add({id + " branch", role, Stroke{from + height_ * way, to - 0.8 * way}});
+    add_ring(view, id, role, Extent{to - half, to + half}.corners());
+    view.add({id + " name", role, Text{to, name}});
+  }
+
   /// Its turn in the order, beside a node.
   void add_number(View& view, std::size_t node, std::size_t number) const {
     view.add({fmt::format("t node {:02} turn", node), Role::result,
-              Text{at_[node] + dvec2{0, -height_ - 0.75}, fmt::format("{}.", number)}});
+              Text{at_[node] + dvec2{0, -height_ - 1.1}, fmt::format("{}.", number)}});
   }
 
-  static constexpr double radius = 1.15;
+  static constexpr double radius = 1.4;
 
  private:
   dvec2 half_size(const std::string& text) const {
-    return {std::clamp(0.42 * static_cast<double>(text.size()) + 0.4, height_, std::max(widest_, height_)),
+    return {std::clamp(0.45 * static_cast<double>(text.size()) + 0.5, height_, std::max(widest_, height_)),
             height_};
   }
 
   std::vector<dvec2> at_;
+  std::vector<std::pair<std::size_t, bool>> leaves_;
+  dvec2 to_leaf_{};
   double left_ = 0, right_ = 0, widest_ = radius, height_ = radius;
 };
 
