@@ -11,7 +11,12 @@ namespace {
 using Cube = Cell<double>;
 
 constexpr int paper_width = 36, paper_height = 27;
-constexpr Extent place{{1, 1}, {35, 26}};
+constexpr Extent place{{6.5, 1}, {35, 26}};
+
+bool holds(const Cube& cell, dvec3 p) {
+  const dvec3 to = p - cell.lower;
+  return glm::clamp(to, 0.0, cell.side) == to;
+}
 
 /// What a run is about.
 struct Subject {
@@ -23,11 +28,8 @@ struct Subject {
 
   /// Whether so many points lie in a cell that it has children.
   bool splits(const Cube& cell) const {
-    const auto holds = [&](dvec3 p) {
-      const dvec3 to = p - cell.lower;
-      return glm::clamp(to, 0.0, cell.side) == to;
-    };
-    return cell.depth < deepest && (cell.depth == 0 || std::ranges::count_if(points, holds) > 1);
+    const auto is_here = [&](dvec3 p) { return holds(cell, p); };
+    return cell.depth < deepest && (cell.depth == 0 || std::ranges::count_if(points, is_here) > 1);
   }
 };
 
@@ -71,12 +73,16 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
         order_(std::move(order)),
         panel_(place, {}) {
     Extent extent;
-    for (const dvec3 p : corners_of(subject.root)) extent.add(subject.reader.flat(p));
-    if (subject.eye.w == 1) extent.add(subject.reader.flat(dvec3(subject.eye)));
+    for (const Cube& cell : order_) {
+      for (const dvec3 p : corners_of(cell)) extent.add(subject.reader.flat(p));
+    }
+    extent.add(subject.reader.flat(shown_eye(dvec3(subject.eye))));
     panel_ = Panel(place, extent);
   }
 
-  dvec2 at(dvec3 p) const { return panel_.at(subject_.reader.flat(p)); }
+  /// Where a point of the cube or the eye is drawn.
+  dvec2 at(dvec3 p) const { return panel_.at(subject_.reader.flat(spread(p))); }
+  dvec2 eye_at(dvec3 eye) const { return panel_.at(subject_.reader.flat(shown_eye(eye))); }
   /// The last cell with children: by then the table has rows.
   double tells(const auto& step) const {
     return std::same_as<std::decay_t<decltype(step)>, Entered<double>>
@@ -120,63 +126,114 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
   View draw() const {
     View view;
     SpaceDrawing drawing(subject_.reader.look(panel_));
-    const auto& visited = all<Visited<double>>();
     std::vector<std::vector<dvec3>> rings;
-    for (std::size_t i = 0; i < visited.size(); ++i) {
-      const std::vector<dvec3> corners = corners_of(visited[i].cell, apart);
-      drawing.add_box(fmt::format("b {:03}", i), role_of(i), corners);
+    for (std::size_t i = 0; i < shown_cells(); ++i) {
+      const std::vector<dvec3> corners = corners_of(order_[i]);
+      add_cell(drawing, fmt::format("b {:03}", i), role_of(i), corners);
       std::ranges::move(rings_of_box(corners), std::back_inserter(rings));
-    }
-    drawing.add_frame("a root", Role::boundary, corners_of(subject_.root));
-    if (const auto* entered = now<Entered<double>>()) {
-      drawing.add_frame("c entered", Role::candidate, corners_of(entered->cell));
-      drawing.add_frame("d nearest", Role::accepted,
-                        corners_of(child_of(entered->cell, entered->nearest), apart));
-      for (int child = 0; child < 8; ++child) {
-        const Cube cell = child_of(entered->cell, child);
-        const auto turn = std::ranges::find(order_, cell);
-        if (turn != order_.end())
-          view.add({fmt::format("d turn {}", child),
-                    child == entered->nearest ? Role::accepted : Role::candidate,
-                    Text{at(middle_of(cell)), fmt::format("{}", turn - order_.begin() + 1)}});
-      }
     }
     drawing.add_to(view, "a");
     add_numbers(view, rings);
-    for (std::size_t i = 0; i < subject_.points.size() && visited.empty(); ++i)
+    for (std::size_t i = 0; i < subject_.points.size() && now<steps::Started>(); ++i)
       view.add({fmt::format("p {:02}", i), Role::input, Dot{at(subject_.points[i])}});
-    const dvec3 corner = subject_.root.lower + dvec3{0, 0, subject_.root.side};
-    view.add({"o corner", Role::boundary, Label{at(corner), figure_place(corner)}});
-    if (subject_.eye.w == 1)
-      view.add_named("e eye", Role::measure, at(dvec3(subject_.eye)), words_.say("eye"));
+    const dvec2 eye = eye_at(dvec3(subject_.eye));
+    if (const auto* entered = now<Entered<double>>()) {
+      const Cube& cell = entered->cell;
+      const dvec2 from = panel_.at(subject_.reader.flat(spread(middle_of(cell), cell.depth)));
+      view.add({"d way", Role::measure, Stroke{from, eye, true}});
+      view.add({"d middle", Role::measure, Dot{from}});
+    }
+    view.add_named("e eye", Role::measure, eye, words_.say(subject_.eye.w == 1 ? "eye" : "eye.far"));
+    add_axes(view);
     return view;
   }
 
  private:
-  /// Cubes stand apart a little, so that one sees how many there are.
-  static constexpr double apart = 0.86;
+  /// Children stand apart, so that each is seen; by so much of their middles' distance, and a little smaller
+  /// than they are.
+  static constexpr double apart = 1.75, size = 0.86;
+  /// As far from the middle of the cube as an eye is drawn, in sides.
+  static constexpr double farthest_eye = 1.5;
+  /// Of more cells those to come are left away.
+  static constexpr std::size_t most_cells = 64;
 
-  /// The corners of a cube shrunk to this part of its side.
-  static std::vector<dvec3> corners_of(const Cube& cell, double part = 1) {
-    const dvec3 middle = middle_of(cell), half(0.5 * part * cell.side);
+  /// Where a place is drawn: apart from the middles of the cells that hold it, down to this depth.
+  dvec3 spread(dvec3 p, int depth = std::numeric_limits<int>::max()) const {
+    dvec3 moved = p;
+    Cube cell = subject_.root;
+    while (cell.depth < depth && subject_.splits(cell) && (cell.depth == 0 || holds(cell, p))) {
+      const dvec3 middle = middle_of(cell);
+      cell =
+          child_of(cell, (p.x >= middle.x ? 1 : 0) + (p.y >= middle.y ? 2 : 0) + (p.z >= middle.z ? 4 : 0));
+      moved += (apart - 1) * (middle_of(cell) - middle);
+    }
+    return moved;
+  }
+  /// The eye, or a place in its direction where it is too far away.
+  dvec3 shown_eye(dvec3 eye) const {
+    const dvec3 middle = middle_of(subject_.root);
+    const double most = farthest_eye * subject_.root.side;
+    if (subject_.eye.w == 0) return spread(middle + most * unit_vector(eye));
+    const double distance = length_between(eye, middle);
+    return spread(distance > most ? middle + most / distance * (eye - middle) : eye);
+  }
+  /// The corners of a cell as it is drawn.
+  std::vector<dvec3> corners_of(const Cube& cell) const {
+    const dvec3 middle = spread(middle_of(cell), cell.depth), half(0.5 * size * cell.side);
     return corners_of_box(middle - half, middle + half);
+  }
+  /// A cell to come is pale and has thin edges.
+  static void add_cell(SpaceDrawing& drawing, const std::string& id, Role role,
+                       const std::vector<dvec3>& corners) {
+    if (role != Role::guide) return drawing.add_box(id, role, corners);
+    std::size_t number = 0;
+    for (const std::vector<dvec3>& ring : rings_of_box(corners)) {
+      drawing.add(SpaceFace{.id = id, .role = role, .ring = ring, .shade = 1});
+      for (const auto& [a, b] : sides_of(ring))
+        drawing.add(SpaceEdge{.id = fmt::format("{} {:02}", id, number++),
+                              .role = role,
+                              .a = a,
+                              .b = b,
+                              .thin = true,
+                              .behind = false});
+    }
+  }
+  std::size_t shown_cells() const {
+    return order_.size() > most_cells ? all<Visited<double>>().size() : order_.size();
   }
   Role role_of(std::size_t i) const {
     if (now<Finished>()) return Role::result;
-    return now<Visited<double>>() && i + 1 == all<Visited<double>>().size() ? Role::current : Role::past;
+    const std::size_t visited = all<Visited<double>>().size();
+    if (i < visited) return now<Visited<double>>() && i + 1 == visited ? Role::current : Role::past;
+    const auto* entered = now<Entered<double>>();
+    if (!entered || !holds(entered->cell, middle_of(order_[i]))) return Role::guide;
+    const Cube nearest = child_of(entered->cell, entered->nearest);
+    return holds(nearest, middle_of(order_[i])) ? Role::accepted : Role::candidate;
   }
 
-  /// The number of each cube on a face of it that is seen.
+  /// The number of each cell that has got one or gets it now, on a face of it that is seen.
   void add_numbers(View& view, const std::vector<std::vector<dvec3>>& rings) const {
     const HiddenLines lines(rings, distant_viewer(subject_.reader.towards), subject_.root.side);
     for (std::size_t k = 0, last = none; k < rings.size(); ++k) {
       const std::vector<dvec3>& ring = rings[k];
       const std::size_t i = k / 6;
-      if (i == last || glm::dot(area_vector(ring), subject_.reader.towards) <= 0) continue;
+      if (i == last || role_of(i) == Role::guide) continue;
+      if (glm::dot(area_vector(ring), subject_.reader.towards) <= 0) continue;
       const auto seen = faces_subject::seen_place(ring, lines, [](dvec3) { return true; });
       if (!seen) continue;
-      view.add({fmt::format("n {:03}", i), role_of(i), Text{at(*seen), fmt::format("{}", i + 1)}});
+      view.add({fmt::format("n {:03}", i), role_of(i),
+                Text{panel_.at(subject_.reader.flat(*seen)), fmt::format("{}", i + 1)}});
       last = i;
+    }
+  }
+  void add_axes(View& view) const {
+    constexpr double length = 3;
+    const dvec2 origin{3.5, 4};
+    for (const int axis : {0, 1, 2}) {
+      dvec3 way{0};
+      way[axis] = length;
+      add_arrow(view, fmt::format("x axis {}", axis), Role::boundary, origin,
+                origin + subject_.reader.flat(way), std::string(1, "xyz"[axis]));
     }
   }
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -197,6 +254,7 @@ void set_up(Narrator& narrator, const Subject& subject) {
                    {Role::accepted, "nearest"},
                    {Role::current, "current"},
                    {Role::past, "before"},
+                   {Role::guide, "waiting"},
                    {Role::measure, "eye"},
                    {Role::input, "points"}});
 }
@@ -216,7 +274,7 @@ void tell_order(Narrator& narrator) {
   walk([&](const Cube& cell) { order.push_back(cell); });
   OrderStory story(narrator.words(), subject, from_front, order);
   narrator.handles("points", [&](dvec3 p) { return story.at(p); });
-  if (subject.eye.w == 1) narrator.handles("eye", [&](dvec3 p) { return story.at(p); });
+  if (subject.eye.w == 1) narrator.handles("eye", [&](dvec3 p) { return story.eye_at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   walk([](const Cube&) {}, watch);

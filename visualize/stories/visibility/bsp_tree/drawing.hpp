@@ -135,7 +135,7 @@ class TreeDrawing {
     const auto& [node, in_front] = leaves_[leaf];
     if (to_leaf_.x < 0.7) return;
     const dvec2 from = at_[node], to = from + dvec2{in_front ? to_leaf_.x : -to_leaf_.x, -to_leaf_.y};
-    const dvec2 way = glm::normalize(to - from), half(std::min(0.8, 0.9 * to_leaf_.x));
+    const dvec2 way = glm::normalize(to - from), half(std::min(0.8, 0.8 * to_leaf_.x));
     const std::string id = fmt::format("t leaf {:02}", leaf);
     view.add({id + " branch", role, Stroke{from + height_ * way, to - 0.8 * way}});
     add_ring(view, id, role, Extent{to - half, to + half}.corners());
