@@ -5,7 +5,7 @@
 #include "stories/listing.hpp"
 #include "stories/parameters.hpp"
 #include "stories/rings.hpp"
-#include "stories/visibility/z_buffer/judge.hpp"
+#include "stories/visibility/z_buffer/section.hpp"
 #include "stories/visibility/z_buffer/subject.hpp"
 #include "visibility/z_buffer/z_buffer_notes.hpp"
 
@@ -22,7 +22,7 @@ template <class T>
 class Story {
  public:
   Story(const Words& words, const Subject& subject, DepthText<T> text, Look look, const Owners& right)
-      : words_(words), subject_(subject), text_(text), look_(look), right_(right) {}
+      : words_(words), subject_(subject), text_(text), look_(look), right_(right), section_(subject, words) {}
 
   /// The step that tells most: the first pixel of the last face that changes hands.
   std::optional<StepNumber> telling() const { return telling_; }
@@ -34,11 +34,12 @@ class Story {
   std::int64_t wrong() const { return std::ssize(wrong_); }
 
   void show(Board& board, const steps::Started&) {
-    next(board);
-    for (int y = 0; !look_.rows && y < subject_.size.y; ++y) clear_row(board, y);
+    for (int y = 0; !look_.rows && y < subject_.size.y; ++y) clear_row(y);
     if (look_.rows) {
-      for (const Face& face : subject_.faces) keep_outline(board, face.id, Role::guide);
+      for (const Face& face : subject_.faces) keep_outline(face.id, Role::guide);
     }
+    row_ = subject_.size.y / 2;
+    next(board);
   }
   Event say(const steps::Started&) const {
     if (subject_.sight.eye) {
@@ -54,8 +55,9 @@ class Story {
   }
 
   void show(Board& board, const FaceTaken& f) {
-    next(board);
-    keep_outline(board, f.id, Role::input);
+    keep_outline(f.id, Role::input);
+    row_ = std::clamp(static_cast<int>(middle_of(subject_.corners(f.id)).y), 0, subject_.size.y - 1);
+    next(board, f.id);
   }
   Event say(const FaceTaken& f) const {
     Event event{.text = "edge_on", .facts = {{"face", subject_.name(f.id)}}, .key = subject_.name(f.id)};
@@ -73,29 +75,25 @@ class Story {
   }
 
   void show(Board& board, const Compared<T, Id>& c) {
-    board.detail(c.pixel);
     ++fine_;
     tested_ = c.key;
     const auto there = holder_.find(place(c.pixel));
     before_ = there == holder_.end() ? std::nullopt : std::optional(there->second);
-    if (c.nearer) holder_[place(c.pixel)] = c.key;
-    if (before_ && tells(c)) {
+    if (before_ && tells(c, c.nearer ? c.key : *before_)) {
       telling_ = {milestones_, fine_};
       told_ = c.key;
+      told_row_ = c.pixel.y;
     }
-    settle(board);
-    // The two depths stand in the pixel, one above the other, until the next step
+    row_ = c.pixel.y;
     const std::string kept = text_(c.nearer ? c.depth : *c.before);
-    at_hand_ = {c.pixel, {Role::result, kept, fill(holder_[place(c.pixel)])}};
-    const std::string now = text_(c.depth), before = relation(c);
-    const bool fits = std::max(now.size() + 2, before.size()) <= widest();
-    board.put(c.pixel, Role::result, fits ? "" : kept, at_hand_->second.color);
+    put(c.pixel, Role::result, kept, fill(c.nearer ? c.key : *before_));
     const Role role = c.nearer ? Role::current : Role::rejected;
-    const dvec2 p(c.pixel), half{0, 0.23};
-    board.mark("at", role, square(c.pixel));
-    if (!fits) return;
-    board.mark("at new", Role::input, Text{p - half, now});
-    board.mark("at old", Role::input, Text{p + half, before});
+    View now = with_section(c.key, ": " + text_(c.depth) + "\u00a0" + relation(c));
+    section_.add_comparison(now, c.pixel, c.key, before_, role);
+    now.add({"a row", Role::candidate, row_box(row_)});
+    now.add({"at", role, square(c.pixel)});
+    if (c.nearer) holder_[place(c.pixel)] = c.key;
+    board.detail(std::move(now));
   }
   Event say(const Compared<T, Id>& c) const {
     const std::string face = subject_.name(c.key), z = text_(c.depth);
@@ -117,7 +115,7 @@ class Story {
       event.text = "whole";
       add(event, {{"colour", channels(subject_.color(c.key))}, {"rest", channels(fill(c.key))}});
     }
-    if (before_ && !c.nearer && is_wrong(c.pixel)) {
+    if (before_ && !c.nearer && is_wrong(c.pixel, *before_)) {
       const double exact = z_at(c.key, c.pixel), held = z_at(*before_, c.pixel);
       event.text = exact == held ? "tie_wrong" : "fight";
       add(event, {{"exact", digits(exact)}, {"held", digits(held)}});
@@ -129,8 +127,8 @@ class Story {
   }
 
   void show(Board& board, const FaceDone& f) {
-    next(board);
-    keep_outline(board, f.id, Role::input);
+    keep_outline(f.id, Role::input);
+    next(board, f.id);
   }
   Event say(const FaceDone& f) const {
     return {.text = "face_done",
@@ -143,9 +141,10 @@ class Story {
   }
 
   void show(Board& board, const RowBegun& r) {
-    next(board, r.y);
-    clear_row(board, r.y);
-    board.keep("row", Role::candidate, row_box(r.y));
+    clear_row(r.y);
+    view_.add({"row", Role::candidate, row_box(r.y)});
+    row_ = r.y;
+    next(board);
   }
   Event say(const RowBegun& r) const {
     return {.text = "row_begun",
@@ -154,15 +153,16 @@ class Story {
             .key = figure_number(r.y)};
   }
   void show(Board& board, const RowDone& r) {
-    next(board, r.y);
     for (int x = 0; x < subject_.size.x; ++x) {
       const auto there = holder_.find({x, r.y});
       if (there == holder_.end())
-        board.bare({x, r.y});
+        view_.cells.erase({r.y, x});
       else
-        board.put({x, r.y}, Role::result, "", fill(there->second));
+        put({x, r.y}, Role::result, "", fill(there->second));
     }
-    board.keep("row", Role::candidate, row_box(r.y));
+    view_.add({"row", Role::candidate, row_box(r.y)});
+    row_ = r.y;
+    next(board, subject_.faces.back().id);
   }
   Event say(const RowDone& r) const {
     return {.text = "row_done",
@@ -174,11 +174,9 @@ class Story {
   }
 
   void show(Board& board, const Finished&) {
-    settle(board);
-    board.detail();
-    board.remove(look_.rows ? "row" : "face");
+    view_.marks.erase(look_.rows ? "row" : "face");
     if (look_.rows) {
-      for (const Face& face : subject_.faces) board.remove(outline_id(face.id));
+      for (const Face& face : subject_.faces) view_.marks.erase(outline_id(face.id));
     }
     for (const auto& [at, id] : right_) {
       const auto there = holder_.find(at);
@@ -186,9 +184,12 @@ class Story {
       const ivec2 pixel{at.first, at.second};
       wrong_.push_back(pixel);
       const dvec2 p = dvec2(pixel) + dvec2{0.32, -0.32}, down{0.1, 0.1}, up{0.1, -0.1};
-      board.keep(fmt::format("wrong {}", pixel_key(pixel)), Role::measure, Stroke{p - down, p + down});
-      board.keep(fmt::format("wrong {} b", pixel_key(pixel)), Role::measure, Stroke{p - up, p + up});
+      view_.add({fmt::format("wrong {}", pixel_key(pixel)), Role::measure, Stroke{p - down, p + down}});
+      view_.add({fmt::format("wrong {} b", pixel_key(pixel)), Role::measure, Stroke{p - up, p + up}});
     }
+    if (told_) row_ = told_row_;
+    if (!wrong_.empty()) row_ = wrong_.front().y;
+    board.detail(with_section(subject_.faces.back().id));
   }
   Event say(const Finished& f) const {
     Event event{.text = look_.whole       ? "finished_whole"
@@ -212,27 +213,32 @@ class Story {
   static void add(Event& event, std::initializer_list<Word> words) {
     event.words.insert(event.words.end(), words);
   }
-  /// Of what a pixel has room for, in bytes: "< 2.5", "< ∞"; "< 0.25" where pixels are large.
-  std::size_t widest() const { return std::max(subject_.size.x, subject_.size.y) <= 6 ? 6 : 5; }
 
   static std::pair<int, int> place(ivec2 p) { return {p.x, p.y}; }
-  /// The next whole number, of a row or of the whole picture.
-  void next(Board& board, int row = 0) {
-    settle(board);
+  /// The next whole number.
+  void next(Board& board, std::optional<Id> last = {}) {
     ++milestones_;
     fine_ = 0;
-    board.milestone({0, row});
+    board.milestone(with_section(last));
+  }
+  /// comparison: of two depths, after the section's name.
+  View with_section(std::optional<Id> last, const std::string& comparison = "") const {
+    View view = view_;
+    section_.add_to(view, row_, last, holder_, words_.say("section", {{"row", row_}}) + comparison);
+    return view;
+  }
+  void put(ivec2 p, Role role, std::string text, std::optional<Rgba8> color = {}) {
+    view_.cells.insert_or_assign({p.y, p.x}, CellLook{role, std::move(text), color});
   }
   /// Whether this pixel tells more than those before: one that goes wrong, or else one that changes hands.
-  bool tells(const Compared<T, Id>& c) {
-    if (is_wrong(c.pixel)) return !std::exchange(told_wrong_, true);
+  bool tells(const Compared<T, Id>& c, Id shown) {
+    if (is_wrong(c.pixel, shown)) return !std::exchange(told_wrong_, true);
     return c.nearer && !told_wrong_ && told_ != c.key;
   }
   /// Whether the pixel shows another face than it will in the end.
-  bool is_wrong(ivec2 pixel) const {
+  bool is_wrong(ivec2 pixel, Id shown) const {
     const auto end = right_.find(place(pixel));
-    return end != right_.end() && *before_ != end->second && holder_.at(place(pixel)) != end->second &&
-           tested_ == end->second;
+    return end != right_.end() && *before_ != end->second && shown != end->second && tested_ == end->second;
   }
   /// Where a face lies in space that a pixel shows.
   double z_at(Id id, ivec2 pixel) const {
@@ -265,28 +271,22 @@ class Story {
     if (!c.before) return "< ∞";
     return (*c.before == c.depth ? "= " : c.depth < *c.before ? "< " : "> ") + text_(*c.before);
   }
-  /// The pixel of the last step shows its depth alone again.
-  void settle(Board& board) {
-    if (at_hand_)
-      board.put(at_hand_->first, at_hand_->second.role, at_hand_->second.text, at_hand_->second.color);
-    at_hand_.reset();
-  }
   Path row_box(int y) const {
     return {Extent{{-0.5, y - 0.5}, {subject_.size.x - 0.5, y + 0.5}}.corners(), true};
   }
-  void clear_row(Board& board, int y) const {
-    for (int x = 0; x < subject_.size.x; ++x) board.put({x, y}, Role::guide, "∞");
+  void clear_row(int y) {
+    for (int x = 0; x < subject_.size.x; ++x) put({x, y}, Role::guide, "∞");
   }
   std::string outline_id(Id id) const { return look_.rows ? fmt::format("face {}", id.face) : "face"; }
   /// The face's border, within the picture.
-  void keep_outline(Board& board, Id id, Role role) const {
+  void keep_outline(Id id, Role role) {
     std::vector<dvec2> ring;
     for (const dvec3& corner : subject_.corners(id)) ring.push_back(dvec2(corner) - 0.5);
     for (const int axis : {0, 1}) {
       ring = cut(ring, axis, 1, -0.5);
       ring = cut(ring, axis, -1, 0.5 - subject_.size[axis]);
     }
-    if (ring.size() > 2) board.keep(outline_id(id), role, Path{ring, true});
+    if (ring.size() > 2) view_.add({outline_id(id), role, Path{ring, true}});
   }
 
   const Words& words_;
@@ -294,10 +294,12 @@ class Story {
   const DepthText<T> text_;
   const Look look_;
   const Owners& right_;
+  const Section section_;
+  View view_{};
   Owners holder_;
   std::optional<Id> before_, tested_, told_;
   bool told_wrong_ = false;
-  std::optional<std::pair<ivec2, CellLook>> at_hand_;
+  int row_ = 0, told_row_ = 0;  ///< of the section
   std::vector<ivec2> wrong_;
   std::int64_t milestones_ = -1;
   int fine_ = 0;
@@ -315,12 +317,10 @@ void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
       words.count(subject.sight.eye ? "subtitle_eye" : "subtitle", std::ssize(subject.faces),
                   {{"columns", subject.size.x}, {"rows", subject.size.y}});
   narrator.handles("faces", [&](dvec3 p) { return subject.shown_at(p); });
-  Grid& grid = narrator.trace().grid;
-  grid.cells = subject.picture();
-  grid.y_up = false;
-  grid.x_name = words.symbol("x");
-  grid.y_name = words.symbol("y");
-  grid.whole = true;
+  // Room for numbers at the left and below, and for the section at the right
+  const Extent section = Section::place_of(subject);
+  narrator.whole_grid({{-4, -2}, ivec2(section.upper) + ivec2(6, 4)});
+  add_pixel_grid(narrator, subject);
   narrator.legend(
       {{Role::input, "input"}, {Role::candidate, "candidate"}, Role::current, Role::rejected, Role::measure});
   narrator.trace().legend.back().sample = Sample::cross;
