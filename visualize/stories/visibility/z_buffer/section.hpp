@@ -31,7 +31,7 @@ inline void add_pixel_grid(Narrator& narrator, const Subject& subject) {
   narrator.backdrop("name x", Role::guide,
                     Text{{upper.x + unit, below}, words.symbol("x"), Align::centre, true});
   narrator.backdrop("name y", Role::guide,
-                    Text{{left - 1.6 * unit, 0}, words.symbol("y") + "\u00a0↓", Align::right, true});
+                    Text{{left, lower.y - 0.8 * unit}, words.symbol("y") + "\u00a0↓", Align::right, true});
 }
 
 class Section {
@@ -104,7 +104,7 @@ class Section {
   }
   void add_frame(View& view, const std::string& caption) const {
     const dvec2 middle = place_.centre();
-    view.add({"z frame", Role::guide, Path{place_.corners(), true, false, true}});
+    view.add({"z frame", Role::past, Path{place_.corners(), true, false, true}});
     add_text(view, "z caption", Role::guide, {middle.x, place_.lower.y - 0.9 * unit_}, caption);
     const int step = subject_.size.x > 8 ? 2 : 1;
     for (int x = 0; x < subject_.size.x; x += step)
@@ -116,11 +116,13 @@ class Section {
     const double distance = tick_distance(shown.size().y, 4);
     for (double k = std::ceil(shown.lower.y / distance); k * distance <= shown.upper.y; ++k) {
       const double y = panel_.at({0, k * distance}).y;
-      add_text(view, fmt::format("z tick {:+}", k), Role::guide, {place_.upper.x + 0.4 * unit_, y},
-               figure_real(k * distance), Align::left);
+      // Longer ones would lie on the pixels beside
+      if (const std::string text = figure_real(k * distance); text.size() <= 3)
+        add_text(view, fmt::format("z tick {:+}", k), Role::guide, {place_.lower.x - 0.4 * unit_, y}, text,
+                 Align::right);
     }
-    add_text(view, "z name", Role::guide, {place_.upper.x + 0.4 * unit_, place_.lower.y - 0.9 * unit_},
-             z_ + "\u00a0↑", Align::left);
+    add_text(view, "z name", Role::guide, {place_.lower.x - 0.4 * unit_, place_.lower.y - 0.9 * unit_},
+             z_ + "\u00a0↑", Align::right);
   }
   /// A face's depth along the middle of a row, with the face's name at its left end.
   void add_line(View& view, const Face& face, int row, Role role) const {
