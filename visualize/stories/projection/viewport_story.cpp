@@ -23,7 +23,7 @@ class Story {
       : words_(words),
         subject_(subject),
         clamps_(clamps),
-        drawing_(subject, words),
+        drawing_(subject, words, clamps),
         fates_(subject.points.size()),
         current_(subject.points.size()) {}
 

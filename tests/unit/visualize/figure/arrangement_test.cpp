@@ -91,7 +91,7 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"viewport_row_zero_bottom", 0.87},
                                               {"viewport_letterbox", 0.92},
                                               {"viewport_half_up", 0.88},
-                                              {"viewport_clamped", 0.87},
+                                              {"viewport_clamped", 0.93},
                                               {"cohen_sutherland_2d_codes_only", 0.89},
                                               {"cohen_sutherland_3d", 0.99},
                                               {"cohen_sutherland_3d_missed", 0.98},

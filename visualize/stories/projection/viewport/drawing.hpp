@@ -67,12 +67,14 @@ class PictureView {
 
 class Drawing {
  public:
-  Drawing(const Subject& subject, const Words& words)
+  /// clamps: the places outside decide what is drawn, so that there is room for them.
+  Drawing(const Subject& subject, const Words& words, bool clamps)
       : subject_(subject),
         words_(words),
+        near_(clamps ? dvec2{0.25, 0.2} : dvec2{0.16, 0.04}),
         places_(places_for()),
-        plane_(places_.plane, plane_extent(subject)),
-        picture_(places_.picture, picture_extent(subject), rows_down()),
+        plane_(places_.plane, plane_extent()),
+        picture_(places_.picture, picture_extent(), rows_down()),
         fine_(picture_.unit() < least_pixel) {}
 
   /// current: the point of this step; points.size(): none. done: all pixels are results.
@@ -96,7 +98,7 @@ class Drawing {
   struct Places {
     Extent plane, picture;
   };
-  static constexpr Extent upper_place{{3, 11.2}, {34, 21.2}}, enlarged_place{{20, 0.6}, {34, 6.6}};
+  static constexpr Extent upper_place{{3, 10.4}, {34, 21.2}}, enlarged_place{{20, 0}, {34, 5.8}};
   static constexpr double caption_gap = 2.1, least_height = 4;
   /// Smaller pixels, in paper units, are enlarged with their neighbours.
   static constexpr double least_pixel = 0.5;
@@ -105,8 +107,8 @@ class Drawing {
   /// near them.
   Places places_for() const {
     const auto& [lower, upper] = subject_.map.window;
-    const Extent plane = plane_extent(subject_), picture = picture_extent(subject_);
-    const double window = upper.y - lower.y, rows = subject_.map.picture.y, gap = 2.6;
+    const Extent plane = plane_extent(), picture = picture_extent();
+    const double window = upper.y - lower.y, rows = subject_.map.picture.y, gap = 2;
     // In heights of the frames: sizes, and how far they reach below their frame's foot
     const dvec2 of_plane = plane.size() / window, of_picture = picture.size() / rows;
     const double below_plane = (lower.y - plane.lower.y) / window,
@@ -127,19 +129,19 @@ class Drawing {
     return {{at_plane, at_plane + height * of_plane}, {at_picture, at_picture + height * of_picture}};
   }
 
-  static Extent plane_extent(const Subject& subject) {
-    const auto& [lower, upper] = subject.map.window;
+  Extent plane_extent() const {
+    const auto& [lower, upper] = subject_.map.window;
     Extent seen{lower, upper};
-    add_near(seen, subject.points, (upper - lower) * 0.25);
+    add_near(seen, subject_.points, (upper - lower) * near_.x);
     return widened(seen, 0.02);
   }
-  static Extent picture_extent(const Subject& subject) {
-    const dvec2 size(subject.map.picture);
+  Extent picture_extent() const {
+    const dvec2 size(subject_.map.picture);
     Extent seen{{0, 0}, size};
     std::vector<dvec2> places;
-    for (const dvec2 p : subject.points)
-      places.push_back(place_at(subject.map.viewport, fraction_of(subject.map, p)));
-    add_near(seen, places, size * 0.2);
+    for (const dvec2 p : subject_.points)
+      places.push_back(place_at(subject_.map.viewport, fraction_of(subject_.map, p)));
+    add_near(seen, places, size * near_.y);
     return widened(seen, 0.02);
   }
   /// The extent reaches to those of the points that lie no farther beside it than `margin`.
@@ -287,9 +289,10 @@ class Drawing {
   void add_way(View& view, std::size_t i, const Fate& fate) const {
     if (!fate.place) return;
     const auto [here, from] = plane_point(i);
-    const auto [there, to] = shown_at(*fate.place);
+    const dvec2 to = shown_at(*fate.place).second;
     if (!holds(subject_.map.viewport, *fate.place)) {
-      if (here && there) view.add({"way", Role::current, Stroke{from, to, true, true}});
+      if (here) view.add({"way", Role::current, Stroke{from, to, true, true}});
+      if (fate.moved()) add_move(view, fate);
       return;
     }
     const ivec2 own = rounded(*fate.place, Rounding::floor);
@@ -299,6 +302,35 @@ class Drawing {
     if (here) view.add({"way", Role::current, Stroke{from, to, true, true}});
   }
 
+  /// A place outside and the pixel that it is moved into, enlarged where they are near each other.
+  void add_move(View& view, const Fate& fate) const {
+    constexpr double farthest = 12;
+    const dvec2 lower(*fate.pixel), size(subject_.map.picture);
+    Extent part{lower, lower + 1.0};
+    part.add(*fate.place);
+    if (std::max(part.size().x, part.size().y) > farthest) return;
+    const PictureView enlarged(enlarged_place, {part.lower - 0.3, part.upper + 0.3}, rows_down());
+    const Extent& shown = enlarged.pixels();
+    add_grid_lines(view, enlarged, "enlarged",
+                   {glm::max(shown.lower, dvec2{0, 0}), glm::min(shown.upper, size)});
+    const Path box = enlarged.box(lower, lower + 1.0);
+    view.add({"enlarged pixel", Role::rejected, gradus::Area{{box.points}}});
+    view.add({"enlarged pixel outline", Role::rejected, box});
+    const dvec2 at = enlarged.at(*fate.place);
+    view.add({"enlarged move", Role::rejected, Stroke{at, enlarged.at(centre(*fate.pixel)), true, true}});
+    view.add({"enlarged place", Role::current, Dot{at}});
+    add_rule(view, enlarged, "caption.nearest", fate, *fate.pixel);
+  }
+  /// Above an enlarged part: what each coordinate becomes.
+  void add_rule(View& view, const PictureView& enlarged, std::string_view rule, const Fate& fate,
+                ivec2 pixel) const {
+    add_caption(view, "enlarged",
+                words_.say(rule, {{"px", pixels_text(fate.place->x)},
+                                  {"py", pixels_text(fate.place->y)},
+                                  {"column", pixel.x},
+                                  {"row", pixel.y}}),
+                enlarged.drawn());
+  }
   void add_enlarged(View& view, const PictureView& enlarged, const Fate& fate, ivec2 own) const {
     const dvec2 size(subject_.map.picture), place = *fate.place;
     const Extent& part = enlarged.pixels();
@@ -319,12 +351,7 @@ class Drawing {
     view.add({"enlarged place", Role::current, Dot{at}});
     if (!fate.nearest) return;
     const std::string_view rule = subject_.rounding == Rounding::floor ? "caption.floor" : "caption.nearest";
-    add_caption(view, "enlarged",
-                words_.say(rule, {{"px", pixels_text(place.x)},
-                                  {"py", pixels_text(place.y)},
-                                  {"column", fate.nearest->x},
-                                  {"row", fate.nearest->y}}),
-                enlarged.drawn());
+    add_rule(view, enlarged, rule, fate, *fate.nearest);
   }
 
   /// The line through the points as it is (dashed), and as it comes out between moved pixels.
@@ -346,6 +373,7 @@ class Drawing {
 
   const Subject& subject_;
   const Words& words_;
+  dvec2 near_;  ///< points no farther outside have room, in parts of window and picture; others are arrows
   Places places_;
   Panel plane_;
   PictureView picture_;
