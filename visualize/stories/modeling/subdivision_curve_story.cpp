@@ -104,24 +104,35 @@ class CutStory : public Past<steps::Started, EdgeCut<double>, RoundDone, Finishe
             .words = {{"corners", subject_.polygon.size()}, {"off", off(subject_.rounds)}}};
   }
 
+  /// The first round cuts the largest corners.
+  double tells(const auto& step) const {
+    if constexpr (std::same_as<std::decay_t<decltype(step)>, RoundDone>) return step.round == 1 ? 1 : 0;
+    return 0;
+  }
+
   View draw() const {
     View view;
     drawing_.add_polygon(view);
     const int round = static_cast<int>(all<RoundDone>().size());
     const EdgeCut<double>* edge = now<EdgeCut<double>>();
-    const bool ended = now<Finished>() || now<RoundDone>();
-    if (round > 0 || ended)
-      view.add({"c points", ended ? Role::result : Role::past,
-                drawing_.path(points_of(round), subject_.closed())});
+    const RoundDone* done = now<RoundDone>();
+    const int shown = done ? round - 1 : round;
+    if (shown > 0)
+      view.add({"c points", now<Finished>() ? Role::result : Role::past,
+                drawing_.path(points_of(shown), subject_.closed())});
     if (now<Finished>()) drawing_.add_limit(view, Role::measure, drawing_.arcs());
-    if (!edge) return view;
+    const std::vector<EdgeCut<double>> cuts = cuts_of(edge ? edge->round : done ? done->round : 0);
+    add_corners(view, cuts, done != nullptr);
     Polygon so_far;
-    for (const EdgeCut<double>& e : all<EdgeCut<double>>()) {
-      if (e.round != edge->round) continue;
+    for (const EdgeCut<double>& e : cuts) {
       so_far.push_back(e.q);
       so_far.push_back(e.r);
     }
-    view.add({"d so far", Role::result, drawing_.path(so_far, false)});
+    if (!so_far.empty())
+      view.add({"d so far", Role::result, drawing_.path(so_far, done && subject_.closed())});
+    for (std::size_t i = 0; done && so_far.size() <= most_dots && i < so_far.size(); ++i)
+      view.add({fmt::format("e point {:03}", i), Role::result, Dot{drawing_.at(so_far[i])}});
+    if (!edge) return view;
     view.add({"e edge", Role::current,
               Stroke{drawing_.at(edge->whole.a), drawing_.at(edge->whole.b), false, true}});
     view.add_named("f q", Role::current, drawing_.at(edge->q), words_.symbol("Q"));
@@ -130,6 +141,31 @@ class CutStory : public Past<steps::Started, EdgeCut<double>, RoundDone, Finishe
   }
 
  private:
+  /// More would hide the curve.
+  static constexpr std::size_t most_dots = 32;
+
+  std::vector<EdgeCut<double>> cuts_of(int round) const {
+    std::vector<EdgeCut<double>> cuts;
+    std::ranges::copy_if(all<EdgeCut<double>>(), std::back_inserter(cuts),
+                         [&](const EdgeCut<double>& e) { return e.round == round; });
+    return cuts;
+  }
+  /// What a round has cut off so far; whole: all of it.
+  void add_corners(View& view, const std::vector<EdgeCut<double>>& cuts, bool whole) const {
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+      const bool last = i + 1 == cuts.size();
+      if (last && !(whole && subject_.closed())) continue;
+      const EdgeCut<double>&before = cuts[i], &after = cuts[last ? 0 : i + 1];
+      const Polygon corner = drawing_.path({before.r, before.whole.b, after.q}, true).points;
+      const std::string id = fmt::format("b corner {:03}", i);
+      view.add({id + " inside", Role::rejected, Area{{corner}}});
+      view.add({id, Role::rejected, Path{corner, true}});
+    }
+    if (!whole || subject_.closed() || cuts.empty()) return;
+    const auto &first = cuts.front(), &last = cuts.back();
+    view.add({"b corner begin", Role::rejected, Stroke{drawing_.at(first.whole.a), drawing_.at(first.q)}});
+    view.add({"b corner end", Role::rejected, Stroke{drawing_.at(last.r), drawing_.at(last.whole.b)}});
+  }
   static double length(const EdgeCut<double>& e) { return length_between(e.whole.a, e.whole.b); }
   Polygon points_of(int round) const { return chaikin<double>(subject_.polygon, round, subject_.ends); }
   double off(int round) const { return distance_to_limit<double>(points_of(round), subject_.ends); }
@@ -196,6 +232,7 @@ void tell_chaikin(Narrator& narrator) {
   narrator.legend({{Role::input, "polygon"},
                    {Role::current, "edge"},
                    {Role::past, "before"},
+                   {Role::rejected, "corner"},
                    {Role::result, "cut"},
                    {Role::measure, "limit"}});
   CutStory story(narrator.words(), subject, drawing);
