@@ -73,7 +73,8 @@ class Plan {
     const Ring2 ring = part(node, in_front);
     if (ring.size() < 3) return;
     const std::string id = fmt::format("p region {:02} {}", node, in_front ? "+" : "-");
-    view.add({id, role, Area{{panel_.at(ring)}, 3}});
+    // Two tones, as greys are all alike
+    view.add({id, role, Area{{panel_.at(ring)}, role == Role::accepted ? 1 : 3}});
     if (!name.empty()) view.add({id + " name", role, Text{panel_.at(middle_of(ring)), name}});
   }
   void add_border(View& view) const {
