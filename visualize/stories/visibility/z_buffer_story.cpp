@@ -35,11 +35,10 @@ class Story {
 
   void show(Board& board, const steps::Started&) {
     for (int y = 0; !look_.rows && y < subject_.size.y; ++y) clear_row(y);
-    if (look_.rows) {
-      for (const Face& face : subject_.faces) keep_outline(face.id, Role::guide);
-    }
+    for (const Face& face : subject_.faces) keep_outline(name_of_outline(face.id), face.id, Role::guide);
     row_ = subject_.size.y / 2;
     next(board);
+    if (!look_.rows) remove_outlines();
   }
   Event say(const steps::Started&) const {
     if (subject_.sight.eye) {
@@ -55,7 +54,7 @@ class Story {
   }
 
   void show(Board& board, const FaceTaken& f) {
-    keep_outline(f.id, Role::input);
+    keep_outline("face", f.id, Role::input);
     row_ = std::clamp(static_cast<int>(middle_of(subject_.corners(f.id)).y), 0, subject_.size.y - 1);
     next(board, f.id);
   }
@@ -127,7 +126,7 @@ class Story {
   }
 
   void show(Board& board, const FaceDone& f) {
-    keep_outline(f.id, Role::input);
+    keep_outline("face", f.id, Role::input);
     next(board, f.id);
   }
   Event say(const FaceDone& f) const {
@@ -175,9 +174,7 @@ class Story {
 
   void show(Board& board, const Finished&) {
     view_.marks.erase(look_.rows ? "row" : "face");
-    if (look_.rows) {
-      for (const Face& face : subject_.faces) view_.marks.erase(outline_id(face.id));
-    }
+    remove_outlines();
     for (const auto& [at, id] : right_) {
       const auto there = holder_.find(at);
       if (there != holder_.end() && there->second == id) continue;
@@ -277,16 +274,19 @@ class Story {
   void clear_row(int y) {
     for (int x = 0; x < subject_.size.x; ++x) put({x, y}, Role::guide, "∞");
   }
-  std::string outline_id(Id id) const { return look_.rows ? fmt::format("face {}", id.face) : "face"; }
+  static std::string name_of_outline(Id id) { return fmt::format("face {}", id.face); }
+  void remove_outlines() {
+    for (const Face& face : subject_.faces) view_.marks.erase(name_of_outline(face.id));
+  }
   /// The face's border, within the picture.
-  void keep_outline(Id id, Role role) {
+  void keep_outline(std::string name, Id id, Role role) {
     std::vector<dvec2> ring;
     for (const dvec3& corner : subject_.corners(id)) ring.push_back(dvec2(corner) - 0.5);
     for (const int axis : {0, 1}) {
       ring = cut(ring, axis, 1, -0.5);
       ring = cut(ring, axis, -1, 0.5 - subject_.size[axis]);
     }
-    if (ring.size() > 2) view_.add({outline_id(id), role, Path{ring, true}});
+    if (ring.size() > 2) view_.add({std::move(name), role, Path{ring, true}});
   }
 
   const Words& words_;

@@ -73,8 +73,8 @@ class Plan {
     const Ring2 ring = part(node, in_front);
     if (ring.size() < 3) return;
     const std::string id = fmt::format("p region {:02} {}", node, in_front ? "+" : "-");
-    // Two tones, as greys are all alike
-    view.add({id, role, Area{{panel_.at(ring)}, role == Role::accepted ? 1 : 3}});
+    // The other side stays plain, so that they are told apart without colour
+    if (role == Role::accepted) view.add({id, role, Area{{panel_.at(ring)}, 3}});
     if (!name.empty()) view.add({id + " name", role, Text{panel_.at(middle_of(ring)), name}});
   }
   void add_border(View& view) const {
@@ -93,8 +93,8 @@ class Plan {
     if (!signs) return;
     const dvec2 high = a.y > b.y ? a : b, down = glm::normalize(a + b - 2.0 * high);
     const dvec2 beside = high + 0.9 * down;
-    view.add({"p sign +", Role::accepted, Text{beside + 0.8 * normal, "+"}});
-    view.add({"p sign -", Role::rejected, Text{beside - 0.8 * normal, "−"}});
+    view.add({"p sign +", Role::guide, Text{beside + 0.8 * normal, "+"}});
+    view.add({"p sign -", Role::guide, Text{beside - 0.8 * normal, "−"}});
   }
   /// A polygon edge-on, with its name; `ends`: its corners are marked.
   void add_wall(View& view, const DPolygon& polygon, Role role, const std::string& name,
