@@ -67,7 +67,7 @@ class PictureView {
 
 class Drawing {
  public:
-  /// clamps: the places outside decide what is drawn, so that there is room for them.
+  /// clamps: room for the places outside, which decide what is drawn.
   Drawing(const Subject& subject, const Words& words, bool clamps)
       : subject_(subject),
         words_(words),
