@@ -11,8 +11,8 @@ namespace {
 
 using namespace pipeline;
 
-/// The stages that exhibits exchange.
-constexpr std::size_t facing_stage = 4, raster_stage = 6;
+/// The stages that exhibits exchange, and the one that cuts.
+constexpr std::size_t facing_stage = 4, clipping_stage = 5, raster_stage = 6;
 
 /// The choice of `stage` that stands for the whole chain.
 constexpr std::string_view whole_chain = "all";
@@ -56,13 +56,13 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
   const std::size_t last = asked == 0 ? exchanged.end : asked;
   const std::string model = arguments.has("model") ? arguments.text("model") : "";
   list(narrator, listed, exchanged);
-  narrator.subtitle(
-      "subtitle",
-      {{"model", model.empty() ? "letter_f.obj" : model}, {"width", size.width}, {"height", size.height}});
+  narrator.subtitle("subtitle", {{"model", model.empty() ? std::string(own_model) : model},
+                                 {"width", size.width},
+                                 {"height", size.height}});
   Grid& grid = narrator.trace().grid;
   const ChainPaper paper(size);
   // A pixel by its upper left corner in the picture that comes out
-  if (asked == 0) narrator.handles("pixel", [&](dvec2 p) { return paper.in_picture(Side::after, p - 0.5); });
+  if (asked == 0) narrator.handles("pixel", [&](dvec2 p) { return paper.in_picture(p - 0.5); });
   grid.cells = paper.cells();
   grid.lines = paper.least_cell();
   grid.y_up = false;
@@ -71,19 +71,18 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
   grid.x_name = narrator.words().symbol("x");
   grid.y_name = narrator.words().symbol("y");
   narrator.shows_depths(true);
-  narrator.legend({Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary, Role::candidate,
+  const bool raster = exchanged.stage == raster_stage;
+  narrator.legend({Role::current,
+                   Role::accepted,
+                   {Role::rejected, raster ? "misjudged" : "rejected"},
+                   Role::boundary,
+                   Role::candidate,
                    Role::input});
-  if (exchanged.stage == raster_stage) {
-    narrator.legend({Role::current,
-                     Role::accepted,
-                     {Role::rejected, "misjudged"},
-                     Role::past,
-                     Role::boundary,
-                     Role::candidate,
-                     Role::input});
-  }
   Tour(narrator, run, followed, listed, last, exchanged.stage).tell();
-  if (exchanged.stage == 0) narrator.telling({static_cast<std::int64_t>(last), 0});
+  // The whole tour's figure is the stage that cuts the followed triangle, if it does
+  const Clipped* clipped = run.clipped_of(run.pieces[followed.piece].id);
+  const bool cut = asked == 0 && clipped && clipped->changed;
+  if (exchanged.stage == 0) narrator.telling({static_cast<std::int64_t>(cut ? clipping_stage : last), 0});
   const Rgba8 colour = run.image[followed.pixel];
   const bool chosen = arguments.has("face") && !arguments.text("face").empty();
   std::vector<Field> result{{"pixel", followed.pixel},
@@ -139,11 +138,12 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     .file = "algorithms/scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"}},
        .columns = {{"point", false}, {"stage"}, {"x"}, {"y"}, {"z"}, {"w"}},
        .parameters =
-           {{"model", ParameterType::model, "", "MODEL.obj", "a small model; the letter F if not given"},
+           {{"model", ParameterType::model, "", "MODEL.obj",
+             "a small model; a house with a tree if not given"},
             choice("stage", stage_names(), std::string(whole_chain), "clipping",
                    "the tour ends with this stage and lists its source; all lists the chain"),
-            integer(8, 64, "columns", "40", "32", "the picture's width in pixels"),
-            integer(8, 64, "rows", "28", "20", "the picture's height in pixels"),
+            integer(8, 64, "columns", "60", "32", "the picture's width in pixels"),
+            integer(8, 64, "rows", "42", "20", "the picture's height in pixels"),
             integer(0, INT32_MAX, "face", "", "3",
                     "the face that is followed, counted from 0; a telling one if not given"),
             {"pixel", ParameterType::cell, "", "12,7",

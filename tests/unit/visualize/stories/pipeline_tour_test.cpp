@@ -24,12 +24,12 @@ namespace {
 
 using test::tours::Given, test::tours::scene, test::tours::size, test::tours::tour;
 
-/// Runs in which nothing is cut, something is cut, the followed face is removed, and nothing is seen.
+/// Runs in which something is cut, nothing is cut, the followed face is removed, and nothing is seen.
 const std::vector<Given>& runs() {
   static const std::vector<Given> all{{},
-                                      {{"turn", "50"}, {"near", "1.8"}},
+                                      {{"turn", "50"}, {"near", "0.5"}},
                                       {{"face", "1"}},
-                                      {{"eye", "0.3,0.6,1"}, {"target", "0.3,0.6,5"}, {"columns", "9"}},
+                                      {{"eye", "0.3,0.6,6"}, {"target", "0.3,0.6,9"}, {"columns", "9"}},
                                       {{"turn", "-65"}, {"fov", "70"}, {"columns", "33"}, {"rows", "21"}}};
   return all;
 }
@@ -53,9 +53,9 @@ const TraceStep& milestone(const Trace& trace, std::int64_t stage) {
   return trace.steps[index_of(trace, {stage, 0})];
 }
 
-/// Where the picture, on the left, has a pixel.
+/// The first cell of a pixel's block in the picture.
 ivec2 in_drawing(pipeline::Size picture, ivec2 pixel) {
-  return textbook_chain::ChainPaper(picture).cell(textbook_chain::Side::before, pixel);
+  return textbook_chain::ChainPaper(picture).cell(pixel);
 }
 
 TEST(PipelineTour, AnExchangedStageSaysWhatItGetsWrong) {
@@ -85,9 +85,9 @@ TEST(PipelineTour, AnExchangedStageSaysWhatItGetsWrong) {
     Playhead playhead(trace);
     const Canvas& canvas = playhead.at(index_of(trace, {6, 0}));
     int marked = 0;
-    for (int y = 0; y < 28; ++y) {
-      for (int x = 0; x < 40; ++x) {
-        const auto look = canvas.at(in_drawing({40, 28}, {x, y}));
+    for (int y = 0; y < 42; ++y) {
+      for (int x = 0; x < 60; ++x) {
+        const auto look = canvas.at(in_drawing({60, 42}, {x, y}));
         marked += look && look->role == Role::rejected;
       }
     }
@@ -226,7 +226,7 @@ TEST(PipelineTour, AStageListsItsOwnSourceWithTheLinesThatReported) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const auto& [stage, file, events] = cases[i];
     SCOPED_TRACE(stage);
-    const Trace trace = tour({{"stage", stage}, {"turn", "50"}, {"near", "1.8"}});
+    const Trace trace = tour({{"stage", stage}});
     EXPECT_EQ(trace.source_file, "pipeline/stages/" + file + ".hpp");
     ASSERT_GE(trace.listing.size(), 6u);
     for (const SourceLine& line : trace.listing) {
@@ -338,7 +338,7 @@ TEST(PipelineTour, CountsWhatEveryStageKeeps) {
     const auto count = [&](std::int64_t stage, std::string_view name) {
       return field<std::int64_t>(milestone(trace, stage), name);
     };
-    EXPECT_EQ(count(1, "pieces"), 36);
+    EXPECT_EQ(count(1, "pieces"), 64);
     EXPECT_EQ(count(4, "removed") + count(4, "kept"), count(1, "pieces"));
     EXPECT_LE(count(5, "gone"), count(5, "clipped"));
     if (count(5, "clipped") == 0) EXPECT_EQ(count(5, "triangles"), count(4, "kept"));
@@ -370,7 +370,7 @@ TEST(PipelineTour, FollowsAFaceThatIsRemovedOnlyToItsEnd) {
 }
 
 TEST(PipelineTour, CutsTheFollowedTriangleAtTheNearPlane) {
-  const Trace trace = tour({{"turn", "50"}, {"near", "1.8"}});
+  const Trace trace = tour({});
   const auto made = std::ranges::count_if(trace.steps, [](const TraceStep& step) {
     return step.type == "Clipped" && field<double>(step, "z") == 0;
   });
@@ -419,8 +419,8 @@ TEST(PipelineTour, RefusesWhatThereIsNot) {
     }
     return std::string("none");
   };
-  EXPECT_EQ(complaint({{"face", "12"}}), "face: expected a face from 0 to 11, found 12");
-  EXPECT_EQ(complaint({{"pixel", "40,3"}}), "pixel: expected a pixel inside the 40 × 28 picture, found 40,3");
+  EXPECT_EQ(complaint({{"face", "28"}}), "face: expected a face from 0 to 27, found 28");
+  EXPECT_EQ(complaint({{"pixel", "60,3"}}), "pixel: expected a pixel inside the 60 × 42 picture, found 60,3");
   EXPECT_EQ(complaint({{"eye", "1,1,1"}, {"target", "1,1,1"}}),
             "eye: expected an eye apart from the target, found both in one place");
   EXPECT_THAT(complaint({{"near", "0"}}),

@@ -287,7 +287,7 @@ TEST(PipelineWay, EachStageShowsItsOwnNumbers) {
       };
       EXPECT_TRUE(drawn(Role::current) || stage == 7);
       EXPECT_TRUE(drawn(Role::input));
-      EXPECT_TRUE(canvas.marks().contains("caption before") && canvas.marks().contains("caption after"));
+      EXPECT_TRUE(canvas.marks().contains("caption") && canvas.marks().contains("j strip told"));
     }
     const std::vector<std::string> end = card_of(playhead.at(trace.steps.size() - 1));
     const Rgba8 c = why.written.colour;

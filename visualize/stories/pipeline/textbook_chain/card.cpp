@@ -11,12 +11,12 @@ namespace gradus::textbook_chain {
 namespace {
 
 /// Of the letters in a drawing, and what a unit of the paper has at least of it on a slide.
-constexpr double letter_size = 20, least_unit = 18.3;
+constexpr double letter_size = 20, least_unit = 16.5;
 constexpr double column_gap = 0.8, text_gap = 0.45, fence_width = 0.3;
 
 }  // namespace
 
-double Card::width_of(const std::string& text) const {
+double Card::width_of(const std::string& text) {
   return text_width(without_notes(text), Face::sans, letter_size) / least_unit;
 }
 

@@ -25,6 +25,9 @@ class Card {
   Card(View& view, std::string name, const Extent& place, double unit)
       : view_(view), name_(std::move(name)), left_(place.lower.x), unit_(unit), at_(place.lower) {}
 
+  /// In units.
+  static double width_of(const std::string& text);
+
   /// A text, and the next one behind it.
   Card& say(const std::string& text, Role role = Role::input);
   /// A block with its middle on the line. Columns are flush right, or left for the first `names` of them.
@@ -37,7 +40,6 @@ class Card {
   Card& line();
 
  private:
-  double width_of(const std::string& text) const;
   dvec2 middle() const { return {at_.x, at_.y + 0.5 * height_ * unit_}; }
   void put(dvec2 at, const std::string& text, Role role, Align align);
   double fence(Fence fence, std::size_t rows, bool opens);

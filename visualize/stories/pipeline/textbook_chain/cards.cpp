@@ -10,8 +10,8 @@ namespace {
 
 using namespace pipeline;
 
-/// Rows that a card has room for.
-constexpr std::size_t most_rows = 6;
+/// What a card has room for.
+constexpr std::size_t most_cuts = 2, most_corners = 4, most_tests = 5, most_lamps = 2;
 
 /// The projection in the reader's notation: what it makes of his view space's axes, in his clip space.
 glm::dmat4 shown_projection(const Words& words, const glm::dmat4& p) {
@@ -46,6 +46,10 @@ std::string light_text(double light) {
   return with_note(without_notes(figure_real(std::round(light * 1000) / 1000)), light);
 }
 
+std::string light_place(const dvec3& light) {
+  return fmt::format("({}, {}, {})", light_text(light.x), light_text(light.y), light_text(light.z));
+}
+
 std::string hex_of(const Rgba8& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
 
 }  // namespace
@@ -56,21 +60,42 @@ std::string depth_text(const Words& words, const DepthTested& test) {
   return fmt::format("{} {} {}", depth, test.nearer ? "<" : "≥", real_text(test.before->depth));
 }
 
-void Cards::stages(View& view) const {
-  for (int row = 0; row < 4; ++row) {
-    for (const int stage : {row + 1, row + 5}) {
-      Card column(view, fmt::format("stage {}", stage),
-                  {{paper_.panel(stage < 5 ? Side::before : Side::after).lower.x,
-                    paper_.card().lower.y + row * 1.9 * paper_.unit()},
-                   {}},
-                  paper_.unit());
-      column.say(see(fmt::format("stage.{}", stage).c_str()), Role::guide);
+void Cards::strip(View& view, std::size_t stage) const {
+  const double unit = paper_.unit(), number_width = 1.2, height = 1.5;
+  const std::string name = see(fmt::format("stage.{}", stage).c_str());
+  const double wide = Card::width_of(name) + 1.2;
+  const double whole = ChainPaper::card_left + ChainPaper::card_width;
+  const double gap = (whole - wide - 7 * number_width) / 7;
+  dvec2 at = dvec2{-0.5, -0.5} + dvec2{0, 0.95} * unit;
+  for (std::size_t i = 1; i <= 8; ++i) {
+    const bool told = i == stage;
+    const double width = told ? wide : number_width;
+    const dvec2 end = at + dvec2{width, 0} * unit;
+    view.add({fmt::format("j strip {}", i), told ? Role::current : Role::guide,
+              Text{(at + end) * 0.5, told ? name : fmt::format("{}", i), Align::centre, true}});
+    if (told) {
+      const dvec2 half{0, 0.5 * height * unit};
+      view.add({"j strip told", Role::current,
+                Path{{at - half, end - half, end + half, at + half}, true, false, true}});
     }
+    const dvec2 next = end + dvec2{gap, 0} * unit;
+    if (i < 8) {
+      view.add({fmt::format("j strip way {}", i), Role::guide,
+                Path{{end + dvec2{0.3, 0} * unit, next - dvec2{0.3, 0} * unit}, false, false, true}});
+    }
+    at = next;
+  }
+}
+
+void Cards::stages(View& view) const {
+  Card card = this->card(view, "stages");
+  for (int stage = 1; stage <= 8; ++stage) {
+    card.say(see(fmt::format("stage.{}", stage).c_str()), Role::guide).line().down(0.35);
   }
 }
 
 void Cards::file(View& view) const {
-  Card card(view, "file", paper_.panel(Side::before), paper_.unit());
+  Card card = this->card(view, "file");
   for (std::size_t i = 0; i < 3; ++i) {
     const auto vertex = static_cast<std::size_t>(piece_.corners[i].vertex);
     card.say(fmt::format("{} = {}", vertex_name(i), at_text(run_.read[vertex].point.at)), Role::current)
@@ -91,16 +116,17 @@ void Cards::product(Card& card, const std::string& matrix, const glm::dmat4& m, 
                     const glm::dvec4& from, const glm::dvec4& to) const {
   const bool rows = words_.notation().rows;
   const std::string name = vertex_name(corner);
-  card.high(4);
-  if (rows) {
-    card.say(matrix + " =").block(rows_of(m, true, run_.noise), Fence::brackets).line();
-    card.say(fmt::format("{}·{} = {}·{} =", name, matrix, at_text(from), matrix));
-    card.say(at_text(to), Role::current).line();
-    return;
-  }
-  card.say(fmt::format("{}·{} =", matrix, name)).block(rows_of(m, false, run_.noise), Fence::brackets);
-  card.say("·").block(column_of(from, run_.noise), Fence::brackets, Role::current);
-  card.say("=").block(column_of(to, run_.noise), Fence::brackets, Role::current).line();
+  card.high(4).say(matrix + " =").block(rows_of(m, rows, run_.noise), Fence::brackets).line().down(0.5);
+  card.say(fmt::format("{} = {}", name, at_text(from)), Role::current).line();
+  const auto& [first, second] = rows ? std::tie(name, matrix) : std::tie(matrix, name);
+  card.say(fmt::format("{}·{} =", first, second)).line();
+  card.space(1).say(at_text(to), Role::current);
+  card.line().down(0.5);
+}
+
+void Cards::moves(Card& card, const std::string& from, const std::string& to) const {
+  card.say(see("card.moves", {{"pixel", pixel_}, {"from", from}})).line();
+  card.say(fmt::format("→ {}", to)).line();
 }
 
 void Cards::placement(View& view, std::size_t corner) const {
@@ -110,8 +136,7 @@ void Cards::placement(View& view, std::size_t corner) const {
           {placed.to.at, 1});
   if (!way_.place) return;
   const PixelPlace& place = *way_.place;
-  card.say(
-      see("card.moves", {{"pixel", pixel_}, {"from", at_text(place.object)}, {"to", at_text(place.world)}}));
+  moves(card, at_text(place.object), at_text(place.world));
 }
 
 void Cards::projection(View& view, std::size_t corner) const {
@@ -123,9 +148,7 @@ void Cards::projection(View& view, std::size_t corner) const {
           shown_clip(words_, v.clip.at));
   if (!way_.place) return;
   const PixelPlace& place = *way_.place;
-  card.say(see("card.moves", {{"pixel", pixel_},
-                              {"from", at_text(shown_view(words_, place.view))},
-                              {"to", at_text(shown_clip(words_, place.clip))}}));
+  moves(card, at_text(shown_view(words_, place.view)), at_text(shown_clip(words_, place.clip)));
 }
 
 void Cards::determinant(View& view) const {
@@ -141,11 +164,12 @@ void Cards::determinant(View& view) const {
   const bool front = faced_.facing == Facing::front;
   const std::string sign = det > 0 ? "> 0" : det < 0 ? "< 0" : "";
   card.high(3)
-      .say(fmt::format("det [{} {} {}] =", words_.symbol("x"), words_.symbol("y"), words_.symbol("w")))
+      .say("det")
       .block(names, Fence::none, Role::current, 1)
       .block(numbers, Fence::bars, Role::current)
-      .say(fmt::format("= {} {}", real_text(det), sign))
-      .line();
+      .line()
+      .down(0.5);
+  card.say(fmt::format("= {} {}", real_text(det), sign)).line().down(0.5);
   if (run_.fault == Fault::cull_after_division) {
     const double area =
         back_face_culling::divided_area(projected(0).clip.at, projected(1).clip.at, projected(2).clip.at);
@@ -177,9 +201,9 @@ void Cards::cut(Card& card, const EdgeCut& cut) const {
   const std::string from = corner_name(cut.inside), to = corner_name(cut.outside), made = corner_name(cut.at);
   if (from.empty() || to.empty() || made.empty()) return;
   const double in = distance(cut.plane, cut.inside), out = 0 - distance(cut.plane, cut.outside);
-  card.say(see("card.cut", {{"from", from}, {"to", to}, {"plane", plane_text(cut)}}));
-  card.say(fmt::format("t = {} / ({} + {}) = {}", length_text(in), length_text(in), length_text(out),
-                       real_text(cut.t)));
+  card.say(see("card.cut", {{"from", from}, {"to", to}, {"plane", plane_text(cut)}})).line();
+  card.say(fmt::format("t = {} / ({} + {})", length_text(in), length_text(in), length_text(out))).line();
+  card.say(fmt::format("= {}", real_text(cut.t)));
   card.say(fmt::format("→ {}", made), Role::accepted).line();
 }
 
@@ -187,7 +211,6 @@ void Cards::division(View& view) const {
   const Clipped* own = run_.clipped_of(piece_.id);
   if (!own) return;
   Card card = this->card(view, "division");
-  std::size_t room = most_rows - 1;
   if (own->after.empty()) {
     card.say(see("card.gone", {{"face", piece_.id.face}}), Role::rejected);
     return;
@@ -198,93 +221,84 @@ void Cards::division(View& view) const {
                          multiple_of_w(words_, high)));
     card.say(see("card.whole")).line();
   }
-  for (const EdgeCut& c : way_.cuts) {
-    if (room <= 3) break;
-    cut(card, c);
-    --room;
-  }
+  for (std::size_t i = 0; i < std::min(way_.cuts.size(), most_cuts); ++i) cut(card, way_.cuts[i]);
   Texts rows;
-  for (std::size_t k = 0; k < own->after.size() && rows.size() <= room; ++k) {
+  for (std::size_t k = 0; k < std::min(own->after.size(), most_corners); ++k) {
     const glm::dvec4 at = own->after[k].at;
-    const std::string from = corner_name(at), name = fmt::format("c{}", k);
-    rows.push_back({from == name ? name : fmt::format("{} = {}", name, from), at_text(shown_clip(words_, at)),
-                    "→", place_text(shown_divided(words_, own->divided[k].at))});
+    rows.push_back({fmt::format("c{}", k), at_text(shown_clip(words_, at))});
+    rows.push_back(
+        {fmt::format("÷ {}", words_.symbol("w")), place_text(shown_divided(words_, own->divided[k].at))});
   }
-  card.high(rows.size()).block(rows, Fence::none, Role::current, 4);
+  card.down(0.4).high(rows.size()).block(rows, Fence::none, Role::current, 2);
 }
 
 void Cards::edges(View& view, const EdgeValues& e, const std::optional<dvec3>& found) const {
   Card card = this->card(view, "edges");
   const auto inside = [](dvec3 v) { return std::min({v.x, v.y, v.z}) >= 0; };
   if (found) {
-    card.say(see("card.found", {{"values", place_text(*found)}}), Role::rejected).line();
-    card.say(see("card.exact", {{"values", place_text(e.values)}}), Role::accepted);
+    card.say(see("card.found")).line().space(1).say(place_text(*found), Role::rejected).line().down(0.4);
+    card.say(see("card.exact")).line().space(1).say(place_text(e.values), Role::accepted);
     return;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    card.say(fmt::format("{} = {}", edge_name(i), real_text(e.values[static_cast<int>(i)])), Role::measure)
-        .space(0.8);
+    const double value = e.values[static_cast<int>(i)];
+    card.say(fmt::format("{} = {}", edge_name(i), real_text(value)), Role::measure).line();
   }
-  card.line();
-  card.say(see(inside(e.values) ? "card.inside" : "card.outside", {{"pixel", pixel_}})).line();
+  card.say(see(inside(e.values) ? "card.inside" : "card.outside", {{"pixel", pixel_}})).line().down(0.4);
   if (!way_.fragment) return;
-  card.say(fmt::format("λ = E / {} = {}", real_text(e.doubled_area), place_text(e.weights))).line();
-  std::string sum;
+  card.say(fmt::format("λ = E / {}", real_text(e.doubled_area))).line();
+  card.say(fmt::format("= {}", place_text(e.weights))).line().down(0.4);
   for (int i = 0; i < 3; ++i) {
-    sum += fmt::format("{}{}·{}", i > 0 ? " + " : "", real_text(e.weights[i]), real_text(e.corner_depths[i]));
+    card.say(i == 0 ? fmt::format("{} =", words_.symbol("z")) : "+");
+    card.say(fmt::format("{}·{}", real_text(e.weights[i]), real_text(e.corner_depths[i])));
+    if (i < 2) card.line();
   }
-  card.say(fmt::format("{} = {} = {}", words_.symbol("z"), sum, real_text(way_.fragment->depth))).line();
-  card.say(see("card.shares", {{"shares", place_text(way_.fragment->weights)}})).line();
+  card.say(fmt::format("= {}", real_text(way_.fragment->depth))).line().down(0.4);
+  card.say(see("card.shares")).line();
+  card.say(place_text(way_.fragment->weights)).line();
 }
 
 void Cards::depth(View& view, const DepthTested& last) const {
   Card card = this->card(view, "depth");
-  Texts rows;
-  for (const DepthTested& test : way_.tests) {
+  std::size_t shown = 0;
+  while (shown < way_.tests.size() && way_.tests[shown].fragment.triangle != last.fragment.triangle) ++shown;
+  for (std::size_t i = shown < most_tests ? 0 : shown + 1 - most_tests; i <= shown; ++i) {
+    const DepthTested& test = way_.tests[i];
     const char* verdict = !test.before ? "card.first" : test.nearer ? "card.nearer" : "card.farther";
-    rows.push_back({see("face", {{"face", test.fragment.id.face}}), depth_text(words_, test),
-                    see(verdict, {{"pixel", pixel_}})});
-    if (test.fragment.id == last.fragment.id && test.fragment.triangle == last.fragment.triangle) break;
+    const Role role = test.nearer ? Role::accepted : Role::rejected;
+    card.say(see("face", {{"face", test.fragment.id.face}})).say(depth_text(words_, test)).line();
+    card.space(1).say(see(verdict, {{"pixel", pixel_}}), role).line().down(0.4);
   }
-  const std::size_t more = rows.size() > most_rows ? rows.size() - most_rows : 0;
-  rows.erase(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(more));
-  card.high(rows.size()).block(rows, Fence::none, Role::input, 3);
 }
 
-void Cards::lamp(Texts& rows, const LampLight& l) const {
-  const auto row = [&](std::string name, const std::string& what, const dvec3& c) {
-    rows.push_back({std::move(name), what, light_text(c.x), light_text(c.y), light_text(c.z)});
-  };
-  const std::string name = see("card.lamp", {{"number", l.light + 1}});
-  const std::string n_dot_l = fmt::format("N·L = {}", real_text(l.n_dot_l));
+void Cards::lamp(Card& card, const LampLight& l) const {
+  const std::string name = see("card.lamp", {{"number", l.light + 1}}),
+                    n_dot_l = fmt::format("N·L = {}", real_text(l.n_dot_l));
+  card.say(name).say(n_dot_l);
   if (!(l.n_dot_l > 0)) {
-    rows.push_back({name, see("card.behind", {{"cosine", n_dot_l}}), "0", "0", "0"});
+    card.say(see("card.behind")).line().down(0.4);
     return;
   }
-  row(name, see("card.diffuse", {{"cosine", n_dot_l}, {"arrives", l.arrival.share()}}), l.diffuse);
-  const std::string r_dot_v = fmt::format("R·V = {}", real_text(l.cosine));
-  row("", see("card.highlight", {{"cosine", r_dot_v}, {"power", way_.shininess}}), l.specular);
+  card.line();
+  card.space(1).say(see("card.diffuse", {{"arrives", l.arrival.share()}})).line();
+  card.space(1).say(light_place(l.diffuse)).line();
+  card.space(1)
+      .say(fmt::format("R·V = {}", real_text(l.cosine)))
+      .say(see("card.power", {{"power", way_.shininess}}));
+  card.line().space(1).say(see("card.highlight")).say(light_place(l.specular)).line().down(0.4);
 }
 
 void Cards::light(View& view) const {
   if (!way_.shaded) return;
   Card card = this->card(view, "light");
-  const auto row = [](const std::string& name, const dvec3& c) {
-    return std::vector<std::string>{name, "", light_text(c.x), light_text(c.y), light_text(c.z)};
-  };
-  Texts rows{row(see("card.ambient"), way_.shaded->ambient)};
-  for (const LampLight& l : way_.lamps) {
-    if (rows.size() + 2 < most_rows + 1) lamp(rows, l);
-  }
-  rows.push_back(row(see("card.sum"), dvec3(way_.shaded->colour)));
-  rows.back()[1] = "R, G, B";
-  card.high(rows.size()).block(rows, Fence::none, Role::input, 2);
+  card.say(see("card.ambient")).say(light_place(way_.shaded->ambient)).line().down(0.4);
+  for (std::size_t i = 0; i < std::min(way_.lamps.size(), most_lamps); ++i) lamp(card, way_.lamps[i]);
+  card.say(see("card.sum")).say(light_place(dvec3(way_.shaded->colour)), Role::current);
 }
 
 void Cards::bytes(View& view) const {
   if (!way_.written) return;
-  const Extent place = paper_.card();
-  Card card(view, "bytes", place, paper_.unit());
+  Card card = this->card(view, "bytes");
   card.say(see("card.linear"), Role::guide).line();
   const Rgba8& c = way_.written->colour;
   Texts rows;
@@ -295,13 +309,22 @@ void Cards::bytes(View& view) const {
                     "·255 ≈", figure_number(byte)});
   }
   card.high(3).block(rows, Fence::none, Role::input, 1).line();
-  card.say(hex_of(c), Role::current);
+  card.down(0.5).say(hex_of(c), Role::current);
+  // The colour, large
+  const ivec2 lower(glm::ceil(paper_.card().lower + dvec2{0, 8.5} * paper_.unit())),
+      size(dvec2{11, 2.6} * paper_.unit());
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x)
+      view.cells.insert_or_assign({lower.y + y, lower.x + x}, CellLook{Role::guide, "", c});
+  }
+  view.add({"g swatch", Role::guide,
+            Path{Extent{dvec2(lower) - 0.5, dvec2(lower + size) - 0.5}.corners(), true, false, true}});
 }
 
 void Cards::way(View& view) const {
-  Card card(view, "way", paper_.column(Side::after), paper_.unit());
+  Card card = this->card(view, "way");
   const auto step = [&](const std::string& number, const std::string& text, Role role = Role::input) {
-    if (!number.empty()) card.down(0.35);
+    if (!number.empty()) card.down(0.25);
     card.say(number.empty() ? "\u00a0\u00a0" : number, Role::guide).say(text, role).line();
   };
   const auto end = [&] {

@@ -39,9 +39,11 @@ class Cards {
         words_(words),
         paper_(paper) {}
 
+  /// Above all: the stages, this one with its name.
+  void strip(View& view, std::size_t stage) const;
   /// What is to come: the names of the stages.
   void stages(View& view) const;
-  /// 1: what the file says, in the panel `before`.
+  /// 1: what the file says.
   void file(View& view) const;
   /// 2 and 3: the matrix times one corner, of the piece's three.
   void placement(View& view, std::size_t corner) const;
@@ -56,7 +58,7 @@ class Cards {
   void depth(View& view, const pipeline::DepthTested& last) const;
   /// 7: the terms of the light, by lamp.
   void light(View& view) const;
-  /// 8: from light to bytes, below the panel `before`; and all that led to it, in the column `after`.
+  /// 8: from light to bytes; and all that led to it.
   void bytes(View& view) const;
   void way(View& view) const;
 
@@ -64,8 +66,10 @@ class Cards {
   Card card(View& view, const char* name) const { return {view, name, paper_.card(), paper_.unit()}; }
   void product(Card& card, const std::string& matrix, const glm::dmat4& m, std::size_t corner,
                const glm::dvec4& from, const glm::dvec4& to) const;
+  /// How the followed pixel's place moves.
+  void moves(Card& card, const std::string& from, const std::string& to) const;
   void cut(Card& card, const EdgeCut& cut) const;
-  void lamp(Texts& rows, const LampLight& lamp) const;
+  void lamp(Card& card, const LampLight& lamp) const;
   std::string vertex_name(std::size_t corner) const {
     return fmt::format("v{}", piece_.corners[corner].vertex);
   }

@@ -1,6 +1,7 @@
 #pragma once
-// The paper of the tour: two panels beside each other, before and after a stage, and below them the stage's
-// own numbers. Rows go down, as in pictures, and a unit of the paper is a pixel of the picture.
+// The paper of the tour: one panel with the stage's own drawing, the stage's numbers beside it, and above
+// both the stages with the one that is told. Rows go down, as in pictures. Cells are fine: a pixel of the
+// picture is a block of them, so that a solid is drawn in them, too.
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +11,17 @@
 
 namespace gradus::textbook_chain {
 
-/// The panel of what a stage is given, or of what it makes of it.
-enum class Side { before, after };
-
 class ChainPaper {
  public:
-  /// In units: a thirty-sixth of the paper's width, about the height of a letter on a slide.
-  static constexpr double panel_width = 17, panel_height = 14, after_left = 19, caption_height = 1.9,
-                          card_gap = 0.8, card_height = 9;
+  /// In units: about the height of a letter on a slide.
+  static constexpr double panel_left = 0.7, panel_width = 22, panel_height = 15.4, card_left = 23.4,
+                          card_width = 17, strip_height = 1.9, caption_height = 1.8;
 
   explicit ChainPaper(pipeline::Size picture)
       : picture_(picture.width, picture.height),
-        unit_(std::max(picture.width / panel_width, picture.height / panel_height)),
-        top_(static_cast<int>(std::ceil(caption_height * unit_))),
-        after_(static_cast<int>(std::ceil(after_left * unit_))) {}
+        block_(std::max(1, static_cast<int>(std::ceil(finest / pixels_across(picture))))),
+        unit_(pixels_across(picture) * block_ / panel_width),
+        top_(static_cast<int>(std::ceil((strip_height + caption_height) * unit_))) {}
 
   double unit() const { return unit_; }
   /// How large a cell is asked for by the lines of a card, in units of a slide: smaller, they would lie on
@@ -31,47 +29,46 @@ class ChainPaper {
   double least_cell() const { return 16.5 / unit_; }
   /// With room for numbers that are longer than they usually are: the paper is cut to what is drawn.
   Window cells() const {
-    constexpr double spare = 12;
-    const double height = panel_height + card_gap + card_height + spare, width = panel_width + spare;
-    return {{0, 0},
-            {after_ + static_cast<int>(std::ceil(width * unit_)),
-             top_ + static_cast<int>(std::ceil(height * unit_))}};
+    constexpr double spare = 8;
+    const dvec2 size = dvec2{card_left + card_width + spare, panel_height + spare} * unit_;
+    return {{0, 0}, ivec2(glm::ceil(size)) + ivec2{0, top_}};
   }
 
-  Extent panel(Side side) const {
-    const dvec2 corner(left(side) - 0.5, top_ - 0.5);
+  Extent panel() const {
+    const dvec2 corner = dvec2{panel_left * unit_, top_} - 0.5;
     return {corner, corner + dvec2{panel_width, panel_height} * unit_};
   }
-  /// A panel and what lies below it.
-  Extent column(Side side) const {
-    Extent place = panel(side);
-    place.upper.y += (card_gap + card_height) * unit_;
-    return place;
-  }
-  /// Where the numbers stand.
+  /// Where the numbers stand, from the height of the panel's caption on.
   Extent card() const {
-    const Extent before = panel(Side::before);
-    const dvec2 corner{before.lower.x, before.upper.y + card_gap * unit_};
-    return {corner, {panel(Side::after).upper.x, corner.y + card_height * unit_}};
+    const Extent drawing = panel();
+    const dvec2 corner{card_left * unit_ - 0.5, drawing.lower.y - caption_height * unit_};
+    return {corner, {corner.x + card_width * unit_, drawing.upper.y}};
   }
 
-  /// The cell of a pixel, in a picture in the middle of a panel.
-  ivec2 cell(Side side, ivec2 pixel) const {
-    const dvec2 room = dvec2{panel_width, panel_height} * unit_ - dvec2(picture_);
-    return ivec2(left(side), top_) + ivec2(room * 0.5) + pixel;
+  /// How many cells a pixel of the picture has in each direction.
+  int block() const { return block_; }
+  /// The first of a pixel's cells, in the picture in the middle of the panel.
+  ivec2 cell(ivec2 pixel) const {
+    const dvec2 room = dvec2{panel_width, panel_height} * unit_ - dvec2(picture_ * block_);
+    return ivec2(dvec2{panel_left * unit_, top_} + room * 0.5 + 1e-6) + pixel * block_;
   }
   /// A place in the picture, with pixel centres at integers.
-  dvec2 in_picture(Side side, dvec2 place) const { return dvec2(cell(side, {0, 0})) + place; }
-  Extent picture(Side side) const {
-    return {in_picture(side, dvec2{-0.5}), in_picture(side, dvec2(picture_) - 0.5)};
-  }
+  dvec2 in_picture(dvec2 place) const { return dvec2(cell({0, 0})) - 0.5 + (place + 0.5) * double(block_); }
+  Extent picture() const { return {in_picture(dvec2{-0.5}), in_picture(dvec2(picture_) - 0.5)}; }
 
  private:
-  int left(Side side) const { return side == Side::before ? 0 : after_; }
+  /// Cells across a panel: finer ones would not be told apart.
+  static constexpr double finest = 120;
+
+  /// Across a panel that holds the picture.
+  static double pixels_across(pipeline::Size picture) {
+    return std::max<double>(picture.width, picture.height * panel_width / panel_height);
+  }
 
   ivec2 picture_;
+  int block_;
   double unit_;
-  int top_, after_;
+  int top_;
 };
 
 }  // namespace gradus::textbook_chain

@@ -18,8 +18,12 @@ using namespace pipeline;
 
 constexpr double radians_a_degree = 3.141592653589793 / 180;
 
+bool brings_a_model(const Arguments& arguments) {
+  return arguments.has("model") && !arguments.text("model").empty();
+}
+
 Mesh mesh_of(const Arguments& arguments) {
-  if (arguments.has("model") && !arguments.text("model").empty()) {
+  if (brings_a_model(arguments)) {
     const Arguments::Entry& entry = arguments.entry("model");
     const auto open = [&](const std::string& name) {
       const auto found = entry.libraries.find(name);
@@ -28,13 +32,21 @@ Mesh mesh_of(const Arguments& arguments) {
     return parse_obj(entry.content, entry.text, open).mesh;
   }
   const auto open = [](const std::string& name) { return std::optional(std::string(shipped_model(name))); };
-  return parse_obj(shipped_model("letter_f.obj"), "letter_f.obj", open).mesh;
+  return parse_obj(shipped_model(own_model), std::string(own_model), open).mesh;
 }
 
 /// The camera that is placed for the model, or the one that looks where the arguments say.
 struct Sight {
   std::optional<dvec3> eye, target;
 };
+
+/// Along the roof of the project's own model, which begins behind the near plane: it is cut outside of the
+/// picture.
+constexpr Sight along_the_roof{dvec3{-2.5, 6.2, 5.4}, dvec3{2, 0.9, -0.7}};
+constexpr double near_the_roof = 4.3;
+
+/// Over the lawn beside the house, which begins behind the eye.
+constexpr Sight beside_the_house{dvec3{-2, 2.8, 3}, dvec3{2.5, 1.4, 0.4}};
 
 /// From beside the model past its front, so near that parts of it lie behind the eye.
 Sight near_sight(const Scene& scene) {
@@ -52,7 +64,14 @@ Camera camera_of(const Scene& scene, const Arguments& arguments, double aspect, 
   const double fov = arguments.number("fov").value_or(40) * radians_a_degree;
   Camera camera = framed(std::span<const dvec3>(points), aspect, viewing_side(object), fov);
   Sight sight{arguments.place("eye"), arguments.place("target")};
-  if (fault == Fault::cull_after_division && !sight.eye && !sight.target) sight = near_sight(scene);
+  const bool placed = !sight.eye && !sight.target, own = !brings_a_model(arguments),
+             behind = fault == Fault::cull_after_division && placed;
+  if (own) {
+    const Sight& shown = behind ? beside_the_house : along_the_roof;
+    sight = {sight.eye ? sight.eye : shown.eye, sight.target ? sight.target : shown.target};
+  } else if (behind) {
+    sight = near_sight(scene);
+  }
   const auto& [eye, target] = sight;
   if (eye || target) {
     const Bounds bounds = bounds_of(scene);
@@ -63,6 +82,7 @@ Camera camera_of(const Scene& scene, const Arguments& arguments, double aspect, 
     camera.frame = viewing::look_at(from, to, upright ? dvec3{0, 0, -1} : dvec3{0, 1, 0});
     camera = with_depths(camera, bounds);
   }
+  if (own && placed && !behind) camera.lens.near = near_the_roof;
   const auto near = arguments.number("near");
   if (near && !(0 < *near && *near < camera.lens.far)) {
     refuse("near", "expected a depth above 0 and before the far plane at {:.4g}, found {}", camera.lens.far,
@@ -141,48 +161,47 @@ void set_faulty_line(Run& run) {
   }
 }
 
-std::size_t count_of(const Run& run, PieceId id) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(run.covered, [&](const Fragment& f) { return f.id == id; }));
-}
-
-/// How good a piece is to follow: clipped and seen, meeting others where it is seen, much seen, much covered.
+/// How good a piece is to follow: clipped and seen, nearer than others where it is seen, much seen, much
+/// covered.
 struct Worth {
-  bool cut_and_seen = false, meets = false;
-  std::size_t seen = 0, covered = 0;
+  bool cut_and_seen = false;
+  std::size_t nearer = 0, seen = 0, covered = 0;
   auto operator<=>(const Worth&) const = default;
 };
 
-Worth worth_of(const Run& run, const Piece& piece) {
-  const auto seen = static_cast<std::size_t>(
-      std::ranges::count_if(run.shaded, [&](const Shaded& s) { return s.fragment.id == piece.id; }));
-  const Clipped* clipped = run.clipped_of(piece.id);
-  const bool meets = std::ranges::any_of(run.tests, [&](const DepthTested& t) {
-    const Shaded* shaded = run.shaded_at(t.fragment.pixel);
-    return t.before && shaded && shaded->fragment.id == piece.id;
-  });
-  return {clipped && clipped->changed && seen > 0, meets, seen, count_of(run, piece.id)};
+/// By piece.
+std::vector<Worth> worths_of(const Run& run) {
+  std::vector<Worth> worths(run.pieces.size());
+  std::map<PieceId, std::size_t> places;
+  for (std::size_t i = 0; i < run.pieces.size(); ++i) places.emplace(run.pieces[i].id, i);
+  const auto worth_of = [&](PieceId id) -> Worth& { return worths[places.at(id)]; };
+  for (const Fragment& f : run.covered) ++worth_of(f.id).covered;
+  for (const Shaded& s : run.shaded) ++worth_of(s.fragment.id).seen;
+  for (const DepthTested& t : run.tests) {
+    const Shaded* shown = run.shaded_at(t.fragment.pixel);
+    worth_of(t.fragment.id).nearer += t.before && t.nearer && shown && shown->fragment.id == t.fragment.id;
+  }
+  for (const Clipped& c : run.clipped) worth_of(c.id).cut_and_seen = c.changed && worth_of(c.id).seen > 0;
+  return worths;
 }
 
 std::size_t piece_to_follow(const Run& run, std::optional<std::int64_t> face) {
   std::size_t best = run.pieces.size();
-  Worth most;
   for (std::size_t i = 0; i < run.pieces.size(); ++i) {
     if (face && run.pieces[i].id.face != *face) continue;
     if (run.wrongly_faced(i)) return i;
     if (!run.misjudged.empty() && run.misjudged[0].id == run.pieces[i].id) return i;
   }
+  const std::vector<Worth> worths = worths_of(run);
   for (std::size_t i = 0; i < run.pieces.size(); ++i) {
     if (face && run.pieces[i].id.face != *face) continue;
-    const Worth worth = worth_of(run, run.pieces[i]);
-    if (best < run.pieces.size() && worth <= most) continue;
-    best = i;
-    most = worth;
+    if (best == run.pieces.size() || worths[i] > worths[best]) best = i;
   }
   return best;
 }
 
-/// The piece's pixel where most fragments meet; among several one where it is seen, then the middle one.
+/// The piece's pixel where most fragments meet; among several one where it is seen, then the one in their
+/// middle.
 ivec2 pixel_to_follow(const Run& run, PieceId id) {
   const auto wrong = std::ranges::find(run.misjudged, id, &Misjudged::id);
   if (wrong != run.misjudged.end()) return wrong->pixel;
@@ -205,7 +224,13 @@ ivec2 pixel_to_follow(const Run& run, PieceId id) {
     if (best.empty()) most = met;
     if (met == most) best.push_back(pixel);
   }
-  return best[best.size() / 2];
+  ivec2 sum{0};
+  for (const ivec2 pixel : best) sum += pixel;
+  const int count = static_cast<int>(best.size());
+  return *std::ranges::min_element(best, {}, [&](ivec2 pixel) {
+    const ivec2 off = pixel * count - sum;
+    return std::int64_t{off.x} * off.x + std::int64_t{off.y} * off.y;
+  });
 }
 
 }  // namespace
@@ -220,8 +245,8 @@ const Clipped* Run::clipped_of(PieceId id) const {
 }
 
 const Shaded* Run::shaded_at(ivec2 pixel) const {
-  const auto found = std::ranges::find_if(shaded, [&](const Shaded& s) { return s.fragment.pixel == pixel; });
-  return found == shaded.end() ? nullptr : &*found;
+  const auto found = shaded_places.find(key_of(pixel));
+  return found == shaded_places.end() ? nullptr : &shaded[found->second];
 }
 
 Scene scene_of(const Arguments& arguments, Fault fault) {
@@ -265,6 +290,8 @@ Run run_of(Scene scene, Size size, Fault fault) {
   for (const Covered& covered : all<Covered>(record)) run.covered.push_back(covered.fragment);
   run.tests = all<DepthTested>(record);
   run.shaded = all<Shaded>(record);
+  for (std::size_t i = 0; i < run.shaded.size(); ++i)
+    run.shaded_places.emplace(key_of(run.shaded[i].fragment.pixel), i);
   run.written = all<Written>(record);
   constexpr std::array types{"VertexRead", "FaceRead", "Placed",  "Turned",      "Projected", "Faced",
                              "Clipped",    "Snapped",  "Covered", "DepthTested", "Shaded",    "Written"};

@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/record.hpp"
@@ -40,6 +42,7 @@ struct Run {
   std::vector<pipeline::Fragment> covered;   ///< in the order of drawing
   std::vector<pipeline::DepthTested> tests;  ///< likewise
   std::vector<pipeline::Shaded> shaded;
+  std::map<std::uint64_t, std::size_t> shaded_places;  ///< in `shaded`, by the key of their pixel
   std::vector<pipeline::Written> written;
   Image image;
   double noise = 0;  ///< lengths below it are rounding errors beside the model and the eye
@@ -57,10 +60,14 @@ struct Run {
 /// Of the corners' x, y and w, with the sign that the stage finds, which decides exactly.
 double exact_determinant(const std::array<glm::dvec4, 3>& corners);
 
+/// The model where none is given.
+inline constexpr std::string_view own_model = "house.obj";
+
 /// The most triangles a model may have for its tour.
 inline constexpr std::int64_t most_triangles = 2000;
 
 /// The scene that the arguments ask for: the model turned, and the camera that is placed for it or given.
+/// The project's own model is looked at along its roof.
 /// Where culling after the division is to be shown, the camera is placed so near that parts lie behind the
 /// eye. Refuses a model too large, or an eye or near plane that sees nothing.
 pipeline::Scene scene_of(const Arguments& arguments, pipeline::Fault fault = pipeline::Fault::none);
@@ -77,8 +84,8 @@ struct Followed {
 
 /// The piece of this face that covers most pixels; without a face the piece that has coloured this pixel;
 /// without either, or where nothing covers the pixel, one that a fault concerns, of all faces one that is
-/// clipped and seen, else the one of which most is seen. The pixel: this one, or the piece's pixel at which
-/// most pieces meet. Refuses a face or a pixel that doesn't exist.
+/// clipped and seen, else the one that is nearer than others at most pixels. The pixel: this one, or of the
+/// piece's pixels at which most pieces meet the middle one. Refuses a face or a pixel that doesn't exist.
 Followed followed_in(const Run& run, const Arguments& arguments);
 
 }  // namespace gradus::textbook_chain

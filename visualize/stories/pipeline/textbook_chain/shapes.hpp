@@ -13,11 +13,12 @@
 
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
 #include "core/axis_cut.hpp"
-#include "stories/space_drawing.hpp"
+#include "stories/paper.hpp"
+#include "stories/pipeline/textbook_chain/solid_cells.hpp"
 
 namespace gradus::textbook_chain {
 
-/// Of models with more faces all edges are drawn, hidden or not.
+/// Models with more faces are drawn without edges, which would only hide them.
 inline constexpr std::size_t most_faces = 100;
 
 inline std::string padded(std::string_view name, int number) { return fmt::format("{} {:05}", name, number); }
@@ -47,12 +48,9 @@ inline std::vector<dvec2> near_paper(const std::vector<dvec2>& points) {
   return kept;
 }
 
-using FacePart = std::pair<int, std::vector<dvec3>>;  ///< which face, and the ring
-
-inline bool has_edge(const FacePart& part, int face, dvec3 a, dvec3 b) {
-  if (part.first != face) return false;
+inline bool has_edge(const SolidPart& part, dvec3 a, dvec3 b) {
   const auto same = [](dvec3 p, dvec3 q) { return length_between(p, q) < 1e-9; };
-  const auto& ring = part.second;
+  const auto& ring = part.ring;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (same(ring[i], a) && same(ring[(i + 1) % ring.size()], b)) return true;
   }
@@ -60,20 +58,16 @@ inline bool has_edge(const FacePart& part, int face, dvec3 a, dvec3 b) {
 }
 
 /// The edges of the parts of faces but for those between two parts of one.
-inline void add_rims(SpaceDrawing& drawing, const std::string& name, const std::vector<FacePart>& parts) {
-  int number = 0;
-  for (const auto& [face, ring] : parts) {
+inline std::vector<std::pair<dvec3, dvec3>> rims_of(const std::vector<SolidPart>& parts) {
+  std::vector<std::pair<dvec3, dvec3>> rims;
+  for (const auto& [face, ring, followed] : parts) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const dvec3 a = ring[i], b = ring[(i + 1) % ring.size()];
-      if (std::ranges::any_of(parts, [&](const FacePart& part) { return has_edge(part, face, b, a); }))
-        continue;
-      drawing.add(SpaceEdge{.id = fmt::format("b {} rim {:03}", name, number++),
-                            .role = Role::past,
-                            .a = a,
-                            .b = b,
-                            .behind = false});
+      const auto goes_on = [&](const SolidPart& part) { return part.face == face && has_edge(part, b, a); };
+      if (std::ranges::none_of(parts, goes_on)) rims.emplace_back(a, b);
     }
   }
+  return rims;
 }
 
 }  // namespace gradus::textbook_chain

@@ -224,7 +224,9 @@ void Tour::clipping() {
   const auto changed = std::ranges::count_if(run_.clipped, &Clipped::changed);
   const auto gone = std::ranges::count_if(run_.clipped, [](const Clipped& c) { return c.after.empty(); });
   milestone(views_.clipping(), "Clipping",
-            {.text = changed > 0 ? "clipping" : "clipping.none",
+            {.text = changed == 0 ? "clipping.none"
+                     : gone == 0  ? "clipping.cut"
+                                  : "clipping",
              .facts = {{"clipped", changed}, {"gone", gone}, {"triangles", std::ssize(run_.snapped)}},
              .count = changed > 0 ? std::optional(changed) : std::nullopt});
 }
@@ -250,7 +252,7 @@ void Tour::clipped_corner(const Clipped& own, std::size_t k) {
         .key = name,
         .decides = kept ? yes_or_no(words_, "question.within", {{"vertex", from}}, true, "inside")
                         : yes_or_no(words_, "question.edge", {{"name", name}}, true, "cut")});
-  fine(views_.clipping({k, place_text(ndc)}), "Divided",
+  fine(views_.divided({k, ""}), "Divided",
        {.text = "divided",
         .facts = fields_of(divided),
         .words = {{"name", name}, {"w", at.w}, {"place", place_text(ndc)}},

@@ -25,7 +25,7 @@ void Tour::rasterization() {
   }
   if (run_.fault == Fault::expanded_edges) expanded_edge_functions();
   if (std::ranges::none_of(run_.covered, [&](const Fragment& f) { return f.pixel == pixel_; })) {
-    fine(views_.raster(run_.size.height), "Uncovered",
+    fine(views_.rastered(), "Uncovered",
          {.text = "uncovered", .words = {pixel_word()}, .key = pixel_key(pixel_)}, "Covered");
   }
   Event event{.text = "rasterization",
@@ -38,7 +38,7 @@ void Tour::rasterization() {
     event.facts.push_back({"misjudged", std::ssize(run_.misjudged)});
     event.count.reset();
   }
-  milestone(views_.raster(run_.size.height), "Rasterization", std::move(event));
+  milestone(views_.rastered(), "Rasterization", std::move(event));
 }
 
 void Tour::snapped_corner(const Snapped& triangle, std::size_t k, std::size_t corner) {
@@ -125,13 +125,14 @@ void Tour::visibility() {
   }
   if (const Shaded* shaded = run_.shaded_at(pixel_)) {
     const dvec3 sum(shaded->colour);
+    constexpr double unseen = 5e-4;  // a byte of the picture has no more than three decimals
     fine(views_.shading(), "Shaded",
          {.text = "shaded",
           .facts = {{"red", sum.x}, {"green", sum.y}, {"blue", sum.z}},
           .words = {pixel_word(),
-                    {"ambient", place_text(shaded->ambient)},
-                    {"diffuse", place_text(shaded->diffuse)},
-                    {"specular", place_text(shaded->specular)},
+                    {"ambient", place_text(shaded->ambient, unseen)},
+                    {"diffuse", place_text(shaded->diffuse, unseen)},
+                    {"specular", place_text(shaded->specular, unseen)},
                     {"sum", place_text(sum)}},
           .row = row(words_.say("light"), sum),
           .key = pixel_key(pixel_)});

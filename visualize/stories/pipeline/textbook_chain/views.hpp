@@ -1,6 +1,6 @@
 #pragma once
-// The drawings of the tour: before and after each stage, the model in the spaces of the stage or the picture
-// with its pixels, the followed triangle and pixel in them, and the stage's numbers below.
+// The drawings of the tour: of each stage one, the model in the stage's space or the picture with its pixels,
+// the followed triangle and pixel in them, and the stage's numbers beside it.
 
 #include <functional>
 
@@ -8,8 +8,8 @@
 #include "stories/pipeline/textbook_chain/cards.hpp"
 #include "stories/pipeline/textbook_chain/panels.hpp"
 #include "stories/pipeline/textbook_chain/run.hpp"
+#include "stories/pipeline/textbook_chain/solid_cells.hpp"
 #include "stories/pipeline/textbook_chain/way.hpp"
-#include "stories/space_drawing.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::textbook_chain {
@@ -37,108 +37,97 @@ class Views {
   View clip_space(const Pointer& at = {}) const;
   View facing() const;
   View clipping(const Pointer& at = {}) const;
-  /// Cells of the followed piece down to this row; -1: before the first.
+  View divided(const Pointer& at) const;
+  /// The picture, pixels of the followed piece down to this row; -1: before the first.
   View raster(int last_row, const Pointer& at = {}) const;
+  /// Round the followed pixel, with its edge functions where the followed piece covers it.
+  View rastered() const;
   /// The edge functions at the followed pixel. found: what a faulty stage has for them.
   View edge_functions(const EdgeValues& values, const std::optional<dvec3>& found = {}) const;
-  /// The depths of what is nearest, and which fragments of the followed piece are.
+  /// The depths at the followed pixel, and which fragments of the followed piece are the nearest.
   View depths(const pipeline::DepthTested& at) const;
   /// The place that is seen at the followed pixel, its normal and where its light comes from; and the light.
   View shading() const;
-  /// Depths, and the light of what is seen.
+  /// Depths in the left half of the picture, in the right one the light of what is seen.
   View visibility() const;
-  /// The picture, only the followed pixel of it where `whole` is false; and the way that led to the pixel.
+  /// The picture, and the way that led to the followed pixel, or only its last part: from light to bytes.
   View output(bool whole) const;
 
  private:
-  using Flat = std::function<dvec2(dvec3)>;
-  using FacePart = std::pair<int, std::vector<dvec3>>;  ///< which face, and the ring
-  using Placing = std::function<dvec3(std::size_t)>;    ///< a vertex in some space
+  using Place = std::function<dvec3(std::size_t)>;  ///< a vertex: to the right, up, towards the reader
+  using Flat = std::function<dvec2(dvec3)>;         ///< a point of the world
+  /// The reader's right, up and towards him, in the world.
+  using Axes = std::array<dvec3, 3>;
 
-  /// From where a solid is looked at; what is right, up and towards the reader there; and its place on paper.
-  struct Sight {
-    Viewer viewer;
-    dvec3 right, up, towards;
-    Flat flat;
-  };
+  // --- What is the same in all of them
 
-  // --- Panels and what is the same in all of them
-
-  Panel panel(const Extent& place, const Extent& world) const;
-  Panel panel(Side side, const Extent& world) const { return panel(paper_.panel(side), world); }
-  /// aside: of a panel that has nothing but text.
-  void caption(View& view, Side side, const std::string& text, bool aside = false) const;
-  void space(View& view, Side side, const char* key) const { caption(view, side, words_.say(key)); }
-  /// From panel to panel, between their captions, with the name of what leads there.
-  void arrow(View& view, const std::string& name = "") const;
-  void polygon(View& view, const Panel& panel, std::string id, Role role,
-               const std::vector<dvec2>& points) const;
+  /// The stages, and which is told; and what the panel shows.
+  View begin(std::size_t stage, const std::string& caption) const;
+  Panel panel(const Extent& world) const;
+  void polygon(View& view, const Panel& panel, std::string id, Role role, const std::vector<dvec2>& points,
+               bool dashed = false) const;
   void area(View& view, const Panel& panel, std::string id, Role role,
             const std::vector<dvec2>& points) const;
-  Side side_of(const Panel& panel) const;
   /// Where the followed pixel's place on the followed piece lies, if it lies there.
-  void pixel_place(View& view, const std::string& name, dvec2 at) const;
+  void pixel_place(View& view, const Panel& panel, dvec2 at) const;
   std::string pixel_name() const { return figure_point(pixel_); }
 
   // --- Solids
 
-  Extent extent(const Placing& place, const Flat& flat, const std::vector<dvec2>& more = {}) const;
-  void axes(View& view, const Panel& panel, const std::string& name, const Flat& flat) const;
-  void solid(View& view, const Panel& panel, const std::string& name, const Mesh& mesh,
-             const Sight& sight) const;
-  /// Pieces of faces as a solid whose faces have the shades that they have from the directions of `sight`,
-  /// which are those of the world.
-  void pieces_solid(View& view, const Panel& panel, const std::string& name,
-                    const std::vector<FacePart>& parts, const Sight& sight,
-                    const std::array<dvec3, 3>& world) const;
-  void side_solid(View& view, const Panel& panel, const std::string& name,
-                  const std::vector<FacePart>& parts) const;
-  void seen_solid(View& view, const Panel& panel, const std::string& name,
-                  const std::vector<FacePart>& parts) const;
+  Extent extent(const Place& place) const;
+  std::vector<dvec2> own(const Place& place) const;
+  std::vector<SolidPart> pieces(const Place& place) const;
+  dvec3 colour_of(const SolidPart& part) const;
+  /// It is drawn once for each name, and stays the same from step to step.
+  void solid(View& view, const Panel& panel, const std::string& name,
+             const std::vector<SolidPart>& parts) const;
   bool few_faces() const;
-  std::vector<FacePart> pieces(const Placing& place) const;
-  int shade_of_face(int face, const std::array<dvec3, 3>& world) const;
-  /// Seen along z, as the model was made.
-  Sight from_the_front() const;
-  /// Seen from the camera's right, so that what looks at a front looks right.
-  Sight from_aside() const;
-  std::vector<dvec2> own(const Placing& place, const Flat& flat) const;
-  /// Which corners of the followed piece have names.
-  enum class Names { none, pointed, all };
-  void followed(View& view, const Panel& panel, const std::string& name, const std::vector<dvec2>& corners,
-                const Pointer& pointer, Names names) const;
+  /// From where the model is looked at where it was made, and where it stands.
+  static Axes upright(dvec3 towards, dvec3 up);
+  static Axes from_the_front();
+  Axes from_aside() const;
+  static Place turned(const Place& place, const Axes& axes);
+  /// The directions of a space's axes, in the panel's lower left corner.
+  void axes_cross(View& view, const Axes& axes) const;
+  void followed(View& view, const Panel& panel, const std::vector<dvec2>& corners, const Pointer& pointer,
+                bool all_names) const;
 
   // --- Stages of vertices
 
-  void object_panel(View& view, const Extent& place, const Pointer& at, Names names) const;
-  void wedge(View& view, const Panel& panel, const std::string& name, double slope, double depth,
-             const std::string& along) const;
-  void side_panel(View& view, Side side, const std::string& name, const Placing& place, double slope,
-                  double depth, const Pointer& at) const;
-  void lines_of_sight(View& view, const Panel& panel, const Flat& flat) const;
+  dvec3 object_at(std::size_t vertex) const { return run_.read[vertex].point.at; }
+  dvec3 world_at(std::size_t vertex) const { return run_.placed[vertex].to.at; }
+  const glm::dvec4& clip_at(std::size_t vertex) const { return run_.clip[vertex].clip.at; }
+  std::size_t vertex(std::size_t corner) const {
+    return static_cast<std::size_t>(piece_.corners[corner].vertex);
+  }
+  void model(View& view) const;
   std::vector<dvec2> window_in_world(const Flat& flat) const;
+  void lines_of_sight(View& view, const Panel& panel, const Flat& flat) const;
+  /// What the camera sees of clip space, one of its axes against w, from the near plane on; and the axes.
+  void wedge(View& view, const Panel& panel, const char* across, bool upright) const;
   std::vector<dvec3> seen_ring(const pipeline::Piece& piece) const;
-  /// Where the picture will be.
-  Panel picture_panel(Side side) const;
-  void window(View& view, const Panel& panel, const std::string& id) const;
-  void clip_panel(View& view, const Pointer& at) const;
-  void divided_panel(View& view, const Pointer& at) const;
+  /// Where the picture will be, and a part as large all round it.
+  Panel picture_panel(double widened = 0) const;
+  void window(View& view, const Panel& panel) const;
 
   // --- Stages of pixels
 
   dvec2 corner_in_picture(const pipeline::SnappedPoint& p) const { return dvec2(p.at) / 256.0 - 0.5; }
-  void frame(View& view, Side side) const;
-  void put(View& view, Side side, ivec2 pixel, Role role, std::optional<Rgba8> color = {}) const;
-  void mark_pixel(View& view, Side side) const;
-  void depth_picture(View& view, Side side) const;
-  void lit_picture(View& view, Side side) const;
+  std::vector<dvec2> outline(const pipeline::Snapped& triangle) const;
+  void frame(View& view) const;
+  void put(View& view, ivec2 pixel, Role role, Rgba8 color) const;
+  /// A run of pixels in the picture, from the first to the last.
+  std::vector<dvec2> run_of_pixels(ivec2 first, int last) const;
+  /// Pixels as areas: of other pieces all, of the followed one down to this row.
+  void covered(View& view, int last_row) const;
+  void mark_pixel(View& view) const;
+  Rgba8 depth_tone(double depth) const;
   /// The pixels round the followed one, large: what of the followed piece they are, and its outline.
-  Panel near_pixel(View& view, Side side, const std::function<std::optional<Role>(ivec2)>& role) const;
-  Panel near_panel(Side side) const;
+  Panel near_pixel(View& view, const std::function<std::optional<Role>(ivec2)>& role) const;
+  Panel near_panel() const;
   void edge_lines(View& view, const EdgeValues& values) const;
-  void outline_near(View& view, const Panel& panel) const;
   Extent window_near() const;
-  std::optional<Role> covered_role(ivec2 pixel, int last_row) const;
+  std::optional<Role> covered_role(ivec2 pixel) const;
   std::optional<Role> kept_role(ivec2 pixel) const;
 
   bool follows(pipeline::PieceId id) const { return id == piece_.id; }
@@ -152,7 +141,7 @@ class Views {
   const Way way_;
   const Cards cards_;
   const double aspect_;
-  Mesh world_;                                  ///< the model where it stands
+  const bool closed_;
   mutable std::map<std::string, View> solids_;  ///< that were drawn already
 };
 
