@@ -41,6 +41,10 @@ inline Arguments complete(const TopicEntry& entry, const std::map<std::string, s
       argument.content = argument.text;
       std::ranges::replace(argument.content, '/', '\n');
     }
+    if (parameter.type == ParameterType::model && !argument.text.empty()) {
+      argument.content = shipped_model(argument.text);
+      argument.libraries.emplace("letter_f.mtl", shipped_model("letter_f.mtl"));
+    }
     if (parameter.type == ParameterType::picture && !argument.text.empty()) {
       argument.image = std::make_shared<const Image>(read_png(argument.text));
     }

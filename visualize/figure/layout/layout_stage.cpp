@@ -227,6 +227,7 @@ Stage stage_of(const Trace& trace, const Look& look) {
 }
 
 Stage bare(Stage stage, Content& content) {
+  constexpr double wide_enough = 60;  // units
   expects(stage.content, "only a paper has something aside");
   content = *stage.content;
   content.all = content.bare;
@@ -237,6 +238,8 @@ Stage bare(Stage stage, Content& content) {
   stage.core = glm::min(content.core.size(), stage.size);
   stage.bare = true;
   stage.lines = 0;
+  // A paper of fine cells is not refused for their size
+  stage.least_cell = std::min(stage.least_cell, wide_enough / std::max(stage.size.x, 1.0));
   return stage;
 }
 

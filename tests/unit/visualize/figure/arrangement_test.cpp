@@ -127,9 +127,7 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"poisson_disc_tile", 0.97},
                                               {"poisson_disc_best_candidate", 0.94},
                                               {"a_buffer", 0.95},
-                                              {"a_buffer_glass", 0.96},
-                                              {"pipeline", 0.78},
-                                              {"pipeline_clipping", 0.82}};
+                                              {"a_buffer_glass", 0.96}};
   for (const GalleryFigure& figure : gallery()) {
     SCOPED_TRACE(figure.name);
     const Trace trace = trace_of(figure, languages().front());

@@ -85,9 +85,9 @@ TEST(PipelineTour, AnExchangedStageSaysWhatItGetsWrong) {
     Playhead playhead(trace);
     const Canvas& canvas = playhead.at(index_of(trace, {6, 0}));
     int marked = 0;
-    for (int y = 0; y < 42; ++y) {
-      for (int x = 0; x < 60; ++x) {
-        const auto look = canvas.at(in_drawing({60, 42}, {x, y}));
+    for (int y = 0; y < 35; ++y) {
+      for (int x = 0; x < 50; ++x) {
+        const auto look = canvas.at(in_drawing({50, 35}, {x, y}));
         marked += look && look->role == Role::rejected;
       }
     }
@@ -420,7 +420,7 @@ TEST(PipelineTour, RefusesWhatThereIsNot) {
     return std::string("none");
   };
   EXPECT_EQ(complaint({{"face", "28"}}), "face: expected a face from 0 to 27, found 28");
-  EXPECT_EQ(complaint({{"pixel", "60,3"}}), "pixel: expected a pixel inside the 60 × 42 picture, found 60,3");
+  EXPECT_EQ(complaint({{"pixel", "50,3"}}), "pixel: expected a pixel inside the 50 × 35 picture, found 50,3");
   EXPECT_EQ(complaint({{"eye", "1,1,1"}, {"target", "1,1,1"}}),
             "eye: expected an eye apart from the target, found both in one place");
   EXPECT_THAT(complaint({{"near", "0"}}),

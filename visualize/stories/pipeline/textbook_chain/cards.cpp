@@ -61,9 +61,10 @@ std::string depth_text(const Words& words, const DepthTested& test) {
 }
 
 void Cards::strip(View& view, std::size_t stage) const {
-  const double unit = paper_.unit(), number_width = 1.2, height = 1.5;
+  // As wide for all names, so that the stages keep their places in all languages
+  constexpr double number_width = 1.2, wide = 11.8, height = 1.5;
+  const double unit = paper_.unit();
   const std::string name = see(fmt::format("stage.{}", stage).c_str());
-  const double wide = Card::width_of(name) + 1.2;
   const double whole = ChainPaper::card_left + ChainPaper::card_width;
   const double gap = (whole - wide - 7 * number_width) / 7;
   dvec2 at = dvec2{-0.5, -0.5} + dvec2{0, 0.95} * unit;

@@ -19,7 +19,7 @@ class ChainPaper {
 
   explicit ChainPaper(pipeline::Size picture)
       : picture_(picture.width, picture.height),
-        block_(std::max(1, static_cast<int>(std::ceil(finest / pixels_across(picture))))),
+        block_(std::max(1, static_cast<int>(finest / pixels_across(picture)))),
         unit_(pixels_across(picture) * block_ / panel_width),
         top_(static_cast<int>(std::ceil((strip_height + caption_height) * unit_))) {}
 
@@ -57,8 +57,8 @@ class ChainPaper {
   Extent picture() const { return {in_picture(dvec2{-0.5}), in_picture(dvec2(picture_) - 0.5)}; }
 
  private:
-  /// Cells across a panel: finer ones would not be told apart.
-  static constexpr double finest = 120;
+  /// Cells across a panel: more would be too fine for eight panels on a slide.
+  static constexpr double finest = 100;
 
   /// Across a panel that holds the picture.
   static double pixels_across(pipeline::Size picture) {

@@ -224,9 +224,7 @@ void Tour::clipping() {
   const auto changed = std::ranges::count_if(run_.clipped, &Clipped::changed);
   const auto gone = std::ranges::count_if(run_.clipped, [](const Clipped& c) { return c.after.empty(); });
   milestone(views_.clipping(), "Clipping",
-            {.text = changed == 0 ? "clipping.none"
-                     : gone == 0  ? "clipping.cut"
-                                  : "clipping",
+            {.text = changed > 0 ? "clipping" : "clipping.none",
              .facts = {{"clipped", changed}, {"gone", gone}, {"triangles", std::ssize(run_.snapped)}},
              .count = changed > 0 ? std::optional(changed) : std::nullopt});
 }

@@ -46,7 +46,7 @@ void Tour::snapped_corner(const Snapped& triangle, std::size_t k, std::size_t co
   const ivec2 at = triangle.corners[k].at;
   const std::string name = fmt::format("p{}", corner), x = real_text(at.x / 256.0),
                     y = real_text(at.y / 256.0), place = fmt::format("({},\u00a0{})", x, y);
-  fine(views_.raster(-1, {corner, name + " " + place}), "Snapped",
+  fine(views_.raster(-1, {corner, name}), "Snapped",
        {.text = "snapped",
         .facts = {{"x", at.x}, {"y", at.y}},
         .words = {{"name", name},

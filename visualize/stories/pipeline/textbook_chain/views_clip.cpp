@@ -162,6 +162,10 @@ View Views::divided(const Pointer& at) const {
   View view = begin(5, words_.say("space.ndc"));
   const Panel here = picture_panel(0.3);
   window(view, here);
+  for (const double end : {-1.0, 1.0}) {
+    view.add({fmt::format("h window {}", end), Role::boundary,
+              Label{here.at({aspect_ * end, end}), place_text(dvec2{end, end})}});
+  }
   std::vector<SolidPart> parts;
   for (const Clipped& piece : run_.clipped) {
     const bool own = follows(piece.id);

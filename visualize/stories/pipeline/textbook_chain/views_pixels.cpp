@@ -45,6 +45,7 @@ void Views::mark_pixel(View& view) const {
   std::vector<dvec2> ring = square(dvec2(pixel_));
   for (dvec2& p : ring) p = paper_.in_picture(p);
   view.add({"g pixel", Role::input, Path{std::move(ring), true}});
+  view.add({"h pixel name", Role::input, Label{paper_.in_picture(dvec2(pixel_)), pixel_name()}});
 }
 
 /// As grey: from dark, near, to light, over all depths that are seen.
@@ -158,9 +159,9 @@ void Views::covered(View& view, int last_row) const {
     }
     if (!area.rings.empty()) view.add({id, role, std::move(area)});
   };
-  add("a others", Role::past, other, 2);
-  add("b covered", Role::accepted, own, 2);
-  add("b current row", Role::current, current, 3);
+  add("a others", Role::past, other, 3);
+  add("b covered", Role::accepted, own, 0);
+  add("b current row", Role::current, current, 0);
 }
 
 View Views::raster(int last_row, const Pointer& at) const {
@@ -210,7 +211,11 @@ void Views::edge_lines(View& view, const EdgeValues& values) const {
 
 View Views::rastered() const {
   // What a faulty stage misjudges lies all over the picture
-  if (!run_.misjudged.empty()) return raster(run_.size.height);
+  if (!run_.misjudged.empty()) {
+    View view = raster(run_.size.height);
+    if (way_.edges) cards_.edges(view, *way_.edges);
+    return view;
+  }
   if (way_.edges) return edge_functions(*way_.edges);
   View view = begin(6, words_.say("space.near", {{"pixel", pixel_}}));
   near_pixel(view, [&](ivec2 pixel) { return covered_role(pixel); });
