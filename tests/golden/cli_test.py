@@ -371,9 +371,11 @@ def test_models():
     check(b"--model letter_f.obj --stage clipping" in read("a.svg"), "the command that makes it again")
     gradus("again", "a.svg", "-o", "c.svg")
     equal(read("c.svg"), read("a.svg"), "made again")
+    for name in ("house.obj", "house.mtl"):
+        write(name, read(os.path.join(MODELS, name)))
     own = json.loads(gradus("run", "pipeline", "--json").out)
-    given = json.loads(gradus("run", "pipeline", "letter_f.obj", "--json").out)
-    equal(given["result"], own["result"], "the letter F is what is shown when no model is given")
+    given = json.loads(gradus("run", "pipeline", "house.obj", "--json").out)
+    equal(given["result"], own["result"], "the house is what is shown when no model is given")
     equal(gradus("figure", "pipeline", "-o", "tour.html").code, 0, "the tour")
     write("bad.obj", "v 0 0 zero\n")
     for arguments, complaint in (
@@ -383,8 +385,8 @@ def test_models():
             (("bad.obj",), "bad.obj:1: expected a number for the vertex, found 'zero'"),
             (("--eye", "1,2"), "--eye: expected 3 numbers x,y,z, found '1,2'"),
             (("--fov", "0"), "--fov: expected a number from 1 to 170, found '0'"),
-            (("--face", "12"), "--face: expected a face from 0 to 11, found 12"),
-            (("--pixel", "40,0"), "--pixel: expected a pixel inside the 40 × 28 picture, found 40,0")):
+            (("--face", "28"), "--face: expected a face from 0 to 27, found 28"),
+            (("--pixel", "50,0"), "--pixel: expected a pixel inside the 50 × 35 picture, found 50,0")):
         result = gradus("figure", "pipeline", *arguments, "-o", "d.svg")
         equal((result.code, result.err, os.path.exists("d.svg")), (2, f"gradus: {complaint}\n", False), str(arguments))
     result = gradus("figure", "bresenham_line", "letter_f.obj", "-o", "d.svg")

@@ -81,7 +81,7 @@ void Cards::strip(View& view, std::size_t stage) const {
     }
     const dvec2 next = end + dvec2{gap, 0} * unit;
     if (i < 8) {
-      view.add({fmt::format("j strip way {}", i), Role::guide,
+      view.add({fmt::format("j strip way {}", i), Role::past,
                 Path{{end + dvec2{0.3, 0} * unit, next - dvec2{0.3, 0} * unit}, false, false, true}});
     }
     at = next;

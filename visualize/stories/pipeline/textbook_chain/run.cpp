@@ -18,12 +18,17 @@ using namespace pipeline;
 
 constexpr double radians_a_degree = 3.141592653589793 / 180;
 
-bool brings_a_model(const Arguments& arguments) {
+bool names_a_model(const Arguments& arguments) {
   return arguments.has("model") && !arguments.text("model").empty();
 }
 
+/// Whether the project's own model is shown, named or not.
+bool shows_own_model(const Arguments& arguments) {
+  return !names_a_model(arguments) || arguments.entry("model").content == shipped_model(own_model);
+}
+
 Mesh mesh_of(const Arguments& arguments) {
-  if (brings_a_model(arguments)) {
+  if (names_a_model(arguments)) {
     const Arguments::Entry& entry = arguments.entry("model");
     const auto open = [&](const std::string& name) {
       const auto found = entry.libraries.find(name);
@@ -64,7 +69,7 @@ Camera camera_of(const Scene& scene, const Arguments& arguments, double aspect, 
   const double fov = arguments.number("fov").value_or(40) * radians_a_degree;
   Camera camera = framed(std::span<const dvec3>(points), aspect, viewing_side(object), fov);
   Sight sight{arguments.place("eye"), arguments.place("target")};
-  const bool placed = !sight.eye && !sight.target, own = !brings_a_model(arguments),
+  const bool placed = !sight.eye && !sight.target, own = shows_own_model(arguments),
              behind = fault == Fault::cull_after_division && placed;
   if (own) {
     const Sight& shown = behind ? beside_the_house : along_the_roof;
