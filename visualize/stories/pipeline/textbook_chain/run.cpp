@@ -53,6 +53,15 @@ constexpr double near_the_roof = 4.3;
 /// Over the lawn beside the house, which begins behind the eye.
 constexpr Sight beside_the_house{dvec3{-2, 2.8, 3}, dvec3{2.5, 1.4, 0.4}};
 
+/// Before the front: in the default picture the upright edges beside the window run through pixel centres.
+constexpr Sight before_the_front{dvec3{0, 1.5, 12.5899}, dvec3{0, 1.5, 0}};
+
+/// From where the house shows most of the run.
+Sight sight_of_the_house(Fault fault) {
+  if (fault == Fault::closed_half_planes) return before_the_front;
+  return fault == Fault::cull_after_division ? beside_the_house : along_the_roof;
+}
+
 /// From beside the model past its front, so near that parts of it lie behind the eye.
 Sight near_sight(const Scene& scene) {
   const Bounds bounds = bounds_of(scene);
@@ -69,12 +78,11 @@ Camera camera_of(const Scene& scene, const Arguments& arguments, double aspect, 
   const double fov = arguments.number("fov").value_or(40) * radians_a_degree;
   Camera camera = framed(std::span<const dvec3>(points), aspect, viewing_side(object), fov);
   Sight sight{arguments.place("eye"), arguments.place("target")};
-  const bool placed = !sight.eye && !sight.target, own = shows_own_model(arguments),
-             behind = fault == Fault::cull_after_division && placed;
+  const bool placed = !sight.eye && !sight.target, own = shows_own_model(arguments);
   if (own) {
-    const Sight& shown = behind ? beside_the_house : along_the_roof;
+    const Sight shown = sight_of_the_house(fault);
     sight = {sight.eye ? sight.eye : shown.eye, sight.target ? sight.target : shown.target};
-  } else if (behind) {
+  } else if (fault == Fault::cull_after_division && placed) {
     sight = near_sight(scene);
   }
   const auto& [eye, target] = sight;
@@ -87,7 +95,7 @@ Camera camera_of(const Scene& scene, const Arguments& arguments, double aspect, 
     camera.frame = viewing::look_at(from, to, upright ? dvec3{0, 0, -1} : dvec3{0, 1, 0});
     camera = with_depths(camera, bounds);
   }
-  if (own && placed && !behind) camera.lens.near = near_the_roof;
+  if (sight.eye == along_the_roof.eye && placed && own) camera.lens.near = near_the_roof;
   const auto near = arguments.number("near");
   if (near && !(0 < *near && *near < camera.lens.far)) {
     refuse("near", "expected a depth above 0 and before the far plane at {:.4g}, found {}", camera.lens.far,

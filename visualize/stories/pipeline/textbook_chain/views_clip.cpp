@@ -93,9 +93,10 @@ View Views::facing() const {
       area(view, here, padded("a wrong", static_cast<int>(i)), Role::rejected, points);
     if (part.ring.size() >= 3) (run_.faced[i].removed ? removed : kept).push_back(part);
   }
-  // Those that go are seen through those that stay
+  // Those that go are seen through those that stay; of many only where they end
   for (const auto& [a, b] : rims_of(removed)) {
-    if (std::ranges::any_of(kept, [&](const SolidPart& part) { return has_edge(part, b, a); })) continue;
+    const bool ends = std::ranges::any_of(kept, [&](const SolidPart& part) { return has_edge(part, b, a); });
+    if (ends == few_faces()) continue;
     auto part = shown_part(paper_.panel(), here.at(dvec2(a)), here.at(dvec2(b)));
     if (!part) continue;
     part->dashed = part->thin = true;
@@ -127,12 +128,15 @@ View Views::clipping(const Pointer& at) const {
   const double near = run_.scene.camera.lens.near;
   Extent all;
   for (const dvec2 p : {dvec2{0, 0}, dvec2{near, near}, dvec2{-near, near}}) all.add(p);
+  // Near by, where the followed piece is cut
+  const Clipped* followed = run_.clipped_of(piece_.id);
+  const bool cut = followed && followed->changed;
   std::vector<SolidPart> parts;
   for (const Clipped& piece : run_.clipped) {
     SolidPart part{piece.id.face, {}, follows(piece.id)};
     for (const ClipPoint& p : piece.after) part.ring.emplace_back(p.at.x, p.at.w, p.at.y);
     for (const ClipPoint& p : piece.before) {
-      if (part.followed) all.add({p.at.x, p.at.w});
+      if (part.followed || !cut) all.add({p.at.x, p.at.w});
     }
     if (part.ring.size() >= 3) parts.push_back(std::move(part));
   }
