@@ -77,7 +77,7 @@ TEST(PipelineTour, AnExchangedStageSaysWhatItGetsWrong) {
     const Trace trace = method(name);
     EXPECT_EQ(trace.last, 6);
     EXPECT_EQ(method(name, {{"stage", "clipping"}}).last, 5);
-    const Trace right = tour({{"stage", "rasterization"}});
+    const Trace right = tour({{"stage", "rasterization"}, {"eye", "0,1.5,12.5899"}, {"target", "0,1.5,0"}});
     const auto fragments = [](const Trace& t) { return field<std::int64_t>(milestone(t, 6), "fragments"); };
     if (trace.method == "closed_half_planes") {
       EXPECT_EQ(fragments(trace) - fragments(right), field<std::int64_t>(milestone(trace, 6), "misjudged"));

@@ -62,7 +62,7 @@ std::string depth_text(const Words& words, const DepthTested& test) {
 
 void Cards::strip(View& view, std::size_t stage) const {
   // As wide for all names, so that the stages keep their places in all languages
-  constexpr double number_width = 1.2, wide = 11.8, height = 1.5;
+  constexpr double number_width = 0.9, wide = 11.8, height = 1.5;
   const double unit = paper_.unit();
   const std::string name = see(fmt::format("stage.{}", stage).c_str());
   const double whole = ChainPaper::card_left + ChainPaper::card_width;
@@ -82,7 +82,7 @@ void Cards::strip(View& view, std::size_t stage) const {
     const dvec2 next = end + dvec2{gap, 0} * unit;
     if (i < 8) {
       view.add({fmt::format("j strip way {}", i), Role::past,
-                Path{{end + dvec2{0.3, 0} * unit, next - dvec2{0.3, 0} * unit}, false, false, true}});
+                Path{{end + dvec2{0.15, 0} * unit, next - dvec2{0.15, 0} * unit}, false, false, true}});
     }
     at = next;
   }
