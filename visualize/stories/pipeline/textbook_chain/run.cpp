@@ -45,7 +45,7 @@ struct Sight {
   std::optional<dvec3> eye, target;
 };
 
-/// Along the roof of the project's own model, which begins behind the near plane: it is cut outside of the
+/// Along the roof of the project's own model, which begins behind the near plane: it is cut outside the
 /// picture.
 constexpr Sight along_the_roof{dvec3{-2.5, 6.2, 5.4}, dvec3{2, 0.9, -0.7}};
 constexpr double near_the_roof = 4.3;
