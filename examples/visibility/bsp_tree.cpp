@@ -1,4 +1,4 @@
-// Three walls, of which the first one's plane cuts the others, three ways: their parts from back to front,
+// Three walls, of which the first one's plane cuts the last, three ways: their parts from back to front,
 // the cuts watched by a lambda, one step as a figure. Writes bsp_tree.svg into the current folder.
 
 #include "visibility/bsp_tree/bsp_tree.hpp"
@@ -15,8 +15,8 @@ int main() {
   using namespace gradus;
   using namespace gradus::bsp_tree;
   const std::vector<Polygon<double>> walls{{{{7, 0, 8}, {6, 0, 5}, {6, 3, 5}, {7, 3, 8}}, 0},
-                                           {{{2, 0, 9}, {2, 3, 9}, {11, 3, 12}, {11, 0, 12}}, 1},
-                                           {{{1, 0, 0}, {9, 0, 4}, {9, 3, 4}, {1, 3, 0}}, 2}};
+                                           {{{11, 0, 6}, {8, 0, 3}, {8, 3, 3}, {11, 3, 6}}, 1},
+                                           {{{2, 0, 9}, {2, 3, 9}, {11, 3, 12}, {11, 0, 12}}, 2}};
 
   // The order for an eye at (12, 2, 20)
   const Tree<double> tree = build(walls);
@@ -30,10 +30,10 @@ int main() {
   };
   build(walls, ExactSide{}, watch);
 
-  // Step 2 as a figure
+  // Step 3 as a figure
   const Trace trace = trace_of(*find_entry("bsp_tree"));
   Playhead playhead(trace);
-  const Figure figure = figure_of(trace, playhead, {2, 0});
+  const Figure figure = figure_of(trace, playhead, {3, 0});
   const Colophon colophon{figure.title, caption_of(figure), "examples/visibility/bsp_tree", ""};
   std::ofstream("bsp_tree.svg") << svg_of(lay_out(figure, {}), *find_theme("light"), colophon);
 }

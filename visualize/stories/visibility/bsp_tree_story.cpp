@@ -410,8 +410,8 @@ const TopicEntry& entry() {
        .columns = {{"plane", false}, {"polygon", false}, {"in_front"}, {"behind"}, {"side", false}},
        .counts = {"Split", "Drawn"},
        .parameters = {faces_subject::faces_parameter(
-                          "A: 7,0,8 6,0,5 6,3,5 7,3,8; B: 2,0,9 2,3,9 11,3,12 11,0,12; "
-                          "C: 1,0,0 9,0,4 9,3,4 1,3,0",
+                          "A: 7,0,8 6,0,5 6,3,5 7,3,8; B: 11,0,6 8,0,3 8,3,3 11,3,6; "
+                          "C: 2,0,9 2,3,9 11,3,12 11,0,12",
                           "A: 0,0,0 4,0,0 4,3,0; B: 1,1,-1 3,1,-1 3,1,2 1,1,2"),
                       faces_subject::towards_parameter("1,1,2")},
        .examples = {"--method back_to_front", "--method uncut",
