@@ -9,18 +9,19 @@ namespace gradus::bsp_tree {
 /// What a run is about.
 struct Subject : Polygons {
   faces_subject::Reader reader;
+  dvec3 towards;  ///< the reader, as it was given: of any length
 };
 
 inline Subject subject_of(const Arguments& arguments) {
   const faces_subject::Reader reader = faces_subject::reader_of(arguments);
-  return {polygons_of(arguments), reader};
+  return {polygons_of(arguments), reader, *arguments.place("towards")};
 }
 
 /// The plan of polygons that have one.
 inline std::optional<Plan> plan_of(const Subject& subject, const DTree& tree, const Extent& place) {
   const auto along = direction_of_walls(subject.polygons);
   if (!along) return std::nullopt;
-  return Plan(*along, place, tree, subject.points, subject.reader.towards);
+  return Plan(*along, place, tree, subject.points, subject.towards);
 }
 
 /// Of the paper: the picture as it is drawn, and the tree.
@@ -140,7 +141,7 @@ class WalkStory : public Past<steps::Started, Visited, Drawn<double>, steps::Fin
       plan_->add_region(view, visited->node, !front_is_far, Role::candidate);
     }
     plan_->add_border(view);
-    plan_->add_eye(view, subject_.reader.towards, words_.say("eye"));
+    plan_->add_eye(view, subject_.towards, words_.say("eye"));
     const auto& drawn = all<Drawn<double>>();
     const std::vector<Role> roles = roles_of_nodes();
     for (std::size_t i = 0; i < tree_.size(); ++i) {
