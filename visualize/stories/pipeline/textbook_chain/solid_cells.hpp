@@ -32,7 +32,7 @@ class SolidCells {
     bool covered = false;
   };
   /// Of a cell in each direction.
-  static constexpr int samples = 2;
+  static constexpr int samples = 1;
 
   void add_triangle(const std::array<dvec3, 3>& corners, dvec3 colour);
 

@@ -89,12 +89,19 @@ Panel Views::near_pixel(View& view, const std::function<std::optional<Role>(ivec
   for (int y = lower.y; y <= upper.y; ++y) {
     for (int x = lower.x; x <= upper.x; ++x) {
       const int number = 100 * (y - first.y) + x - first.x;
-      const std::vector<dvec2> ring = panel.at(square({x, y}));
-      view.add({padded("b near grid", number), Role::guide, Path{ring, true}});
-      view.add({padded("b near centre", number), Role::guide, Path{panel.at(diamond({x, y})), true}});
-      if (const auto found = role({x, y})) view.add({padded("a near", number), *found, Area{{ring}}});
+      view.add({padded("b near centre", number), Role::guide,
+                Path{in_thousandths(panel.at(diamond({x, y}))), true}});
+      if (const auto found = role({x, y}))
+        view.add({padded("a near", number), *found, Area{{in_thousandths(panel.at(square({x, y})))}}});
     }
   }
+  const auto add_line = [&](std::string_view id, int number, dvec2 from, dvec2 to) {
+    view.add({padded(id, number), Role::guide, Stroke{panel.at(from - 0.5), panel.at(to - 0.5)}});
+  };
+  for (int y = lower.y; y <= upper.y + 1; ++y)
+    add_line("b near row", y - first.y, {lower.x, y}, {upper.x + 1, y});
+  for (int x = lower.x; x <= upper.x + 1; ++x)
+    add_line("b near column", x - first.x, {x, lower.y}, {x, upper.y + 1});
   // Every other one: all would touch
   const double below = panel.at({0, upper.y + 0.5}).y + 0.8 * unit_;
   const double beside = panel.at({lower.x - 0.5, 0}).x - 0.4 * unit_;
