@@ -145,10 +145,10 @@ class Section {
     const std::string& name = subject_.name(face.id);
     add_path(view, "z line " + name, role, {{from, depth(from)}, {to, depth(to)}});
     // Off its line, within the frame
-    const double end = depth(to - 0.3);
+    const double at = std::max(from, to - 0.3), end = depth(at);
     const bool rises = end > depth(from);
     const dvec2 aside = rises ? dvec2{-1, -0.4} : dvec2{0, -0.9};
-    add_text(view, "z name " + name, role, panel_.at({to - 0.3, end}) + unit_ * aside, name);
+    add_text(view, "z name " + name, role, panel_.at({at, end}) + unit_ * aside, name);
   }
 
   /// Beside more of them a section would leave pixels no room for their depths.
