@@ -150,6 +150,8 @@ const std::vector<Shared>& shared_listings() {
       {"accumulation_buffer/accumulate accumulation_buffer/passes_side_by_side",
        "the same method, with more and more passes"},
       {"adaptive/pictures adaptive/thin", "the same method on two scenes, one of them thin"},
+      {"antialiased_line/side_by_side antialiased_line/continued",
+       "the same methods side by side, on a star of lines or on the one given"},
       {"area_sampling/pixel_areas area_sampling/moving",
        "the same method on a shape, at one place or several"},
       {"back_face_culling/screen_area back_face_culling/by_cost",
