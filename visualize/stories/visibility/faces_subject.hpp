@@ -15,6 +15,8 @@ namespace gradus::faces_subject {
 
 /// Of coordinates: figures can show these.
 inline constexpr Sizes modest_sizes{1e-6, 1e6};
+/// Of directions, whose length does not count.
+inline constexpr Sizes direction_sizes{1e-9, 1e9};
 
 /// Faces of up to so many corners in all: more steps than a reader follows.
 inline constexpr int most_corners = 200;
@@ -27,7 +29,7 @@ inline Parameter faces_parameter(std::string value, std::string example) {
 inline Parameter towards_parameter(std::string value) {
   return parameters::numbers("towards", std::move(value), "1,2,3",
                              "the direction towards the viewer, who is infinitely far away", parameters::xyz,
-                             modest_sizes);
+                             direction_sizes);
 }
 
 /// A reader far away: right and up are so that y points up where it can.
