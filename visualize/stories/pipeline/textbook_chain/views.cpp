@@ -213,15 +213,6 @@ void Views::model(View& view) const {
   axes_cross(view, axes);
 }
 
-View Views::goal() const {
-  View view = begin(0, words_.say("space.object"));
-  model(view);
-  const Place place = turned([this](std::size_t i) { return object_at(i); }, from_the_front());
-  followed(view, panel(extent(place)), own(place), {}, false);
-  cards_.stages(view);
-  return view;
-}
-
 View Views::object(const Pointer& at) const {
   View view = begin(1, words_.say("space.object"));
   model(view);

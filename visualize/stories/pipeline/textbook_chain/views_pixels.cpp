@@ -297,11 +297,22 @@ View Views::visibility() const {
 
 // --- 8: output ------------------------------------------------------------------------------------------
 
-View Views::output(bool whole) const {
-  View view = begin(8, words_.say("space.picture"));
+void Views::picture(View& view) const {
   for (const Written& w : run_.written) put(view, w.pixel, Role::result, w.colour);
   frame(view);
   mark_pixel(view);
+}
+
+View Views::goal() const {
+  View view = begin(0, words_.say("space.picture"));
+  picture(view);
+  cards_.stages(view);
+  return view;
+}
+
+View Views::output(bool whole) const {
+  View view = begin(8, words_.say("space.picture"));
+  picture(view);
   if (whole)
     cards_.way(view);
   else
