@@ -160,6 +160,7 @@ const std::vector<Shared>& shared_listings() {
        "the same method on two kinds of region: it asks both the same questions"},
       {"illumination/phong illumination/lights_side_by_side illumination/highlight_lobes",
        "the same method with other lamps, or with other exponents"},
+      {"poisson_disc/bridson poisson_disc/pictures", "the method whose samples the pictures are made with"},
       {"supersampling/more_samples supersampling/rays",
        "the same method, on other scenes and numbers of samples"},
       {"supersampling/supersample supersampling/filters",
