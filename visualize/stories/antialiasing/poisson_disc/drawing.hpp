@@ -99,7 +99,7 @@ class Sheet {
 
  private:
   static std::vector<dvec2> unit_circle() {
-    constexpr int corners = 72;
+    constexpr int corners = 48;
     std::vector<dvec2> ring;
     for (int i = 0; i < corners; ++i) {
       const SinCos at = sin_cos(2 * 3.14159265358979323846 * i / corners);

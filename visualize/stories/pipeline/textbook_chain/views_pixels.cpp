@@ -297,22 +297,20 @@ View Views::visibility() const {
 
 // --- 8: output ------------------------------------------------------------------------------------------
 
-void Views::picture(View& view) const {
-  for (const Written& w : run_.written) put(view, w.pixel, Role::result, w.colour);
-  frame(view);
-  mark_pixel(view);
-}
-
+/// The picture to be filled: its pixels would be as much as a stage's, twice.
 View Views::goal() const {
   View view = begin(0, words_.say("space.picture"));
-  picture(view);
+  frame(view);
+  mark_pixel(view);
   cards_.stages(view);
   return view;
 }
 
 View Views::output(bool whole) const {
   View view = begin(8, words_.say("space.picture"));
-  picture(view);
+  for (const Written& w : run_.written) put(view, w.pixel, Role::result, w.colour);
+  frame(view);
+  mark_pixel(view);
   if (whole)
     cards_.way(view);
   else
