@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <unordered_map>
@@ -119,31 +120,42 @@ Json points_json(const std::vector<dvec2>& points) {
   return out;
 }
 
+/// Of a place in a drawing what can be seen: a ten-thousandth of a cell. With all their digits, drawings were
+/// most of a page that plays a run.
+double seen(double x) {
+  const double rounded = std::round(x * 1e4) / 1e4;
+  return std::isfinite(rounded) ? rounded : x;
+}
+Json places_json(std::vector<dvec2> places) {
+  for (dvec2& p : places) p = {seen(p.x), seen(p.y)};
+  return points_json(places);
+}
+
 /// [id, role, kind, numbers or text …]; the kind says what follows.
 Json mark_json(const Mark& mark) {
   Json out = Json::array({mark.id, index_of(mark.role)});
   if (const auto* dot = std::get_if<Dot>(&mark.shape)) {
-    out.insert(out.end(), {dot->ring ? "ring" : "dot", dot->at.x, dot->at.y});
+    out.insert(out.end(), {dot->ring ? "ring" : "dot", seen(dot->at.x), seen(dot->at.y)});
   } else if (const auto* stroke = std::get_if<Stroke>(&mark.shape)) {
     out.push_back(stroke->arrow ? "arrow" : "stroke");
-    out.insert(out.end(), {stroke->a.x, stroke->a.y, stroke->b.x, stroke->b.y});
+    out.insert(out.end(), {seen(stroke->a.x), seen(stroke->a.y), seen(stroke->b.x), seen(stroke->b.y)});
     if (stroke->dashed) out.push_back("dashed");
     if (stroke->thin) out.push_back("thin");
   } else if (const auto* path = std::get_if<Path>(&mark.shape)) {
     out.push_back(path->closed ? "polygon" : "path");
-    out.push_back(points_json(path->points));
+    out.push_back(places_json(path->points));
     if (path->dashed) out.push_back("dashed");
   } else if (const auto* area = std::get_if<Area>(&mark.shape)) {
     out.push_back("area");
-    for (const auto& ring : area->rings) out.push_back(points_json(ring));
+    for (const auto& ring : area->rings) out.push_back(places_json(ring));
     if (area->shade > 0) out.push_back(area->shade);
   } else if (const auto* text = std::get_if<Text>(&mark.shape)) {
     constexpr std::array<std::string_view, 3> aligns{"left", "centre", "right"};
-    out.insert(out.end(),
-               {"text", text->at.x, text->at.y, text->text, aligns[static_cast<std::size_t>(text->align)]});
+    out.insert(out.end(), {"text", seen(text->at.x), seen(text->at.y), text->text,
+                           aligns[static_cast<std::size_t>(text->align)]});
     if (text->line != 0) out.push_back(text->line);
   } else if (const auto* label = std::get_if<Label>(&mark.shape)) {
-    out.insert(out.end(), {"label", label->at.x, label->at.y, label->text});
+    out.insert(out.end(), {"label", seen(label->at.x), seen(label->at.y), label->text});
   }
   if (!mark.quantity.empty()) out.push_back({{"quantity", mark.quantity}});
   return out;

@@ -16,7 +16,8 @@
 namespace gradus {
 
 /// The trace, schema `trace_schema`: what the player loads. With fewer `slots`, what only the others show is
-/// left out and the member "slots" names those that stay.
+/// left out and the member "slots" names those that stay. Places in drawings are rounded to a ten-thousandth
+/// of a cell.
 std::string trace_json(const Trace& trace,
                        const std::set<Slot>& slots = {all_slots.begin(), all_slots.end()});
 

@@ -125,12 +125,7 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
 
   View draw() const {
     View view;
-    SpaceLook look = subject_.reader.look(panel_);
-    // To what no eye tells apart: with all their digits, edges were most of a page that plays the run
-    look.at = [this](dvec3 p) {
-      return std::optional(glm::round(panel_.at(subject_.reader.flat(p)) * 1000.0) / 1000.0);
-    };
-    SpaceDrawing drawing(look);
+    SpaceDrawing drawing(subject_.reader.look(panel_));
     std::vector<std::vector<dvec3>> rings;
     for (std::size_t i = 0; i < shown_cells(); ++i) {
       const std::vector<dvec3> corners = corners_of(order_[i]);

@@ -33,9 +33,7 @@ class Sheet {
   std::vector<dvec2> circle(dvec2 middle, double radius) const {
     static const std::vector<dvec2> unit = unit_circle();
     std::vector<dvec2> ring;
-    // To what no eye tells apart: with all their digits, circles were most of a page that plays the run
-    for (const dvec2 corner : unit)
-      ring.push_back(glm::round(at(middle + radius * corner) * 1000.0) / 1000.0);
+    for (const dvec2 corner : unit) ring.push_back(at(middle + radius * corner));
     return ring;
   }
   /// As much of a circle as lies in the area, or of one in a tile as the paper shows.
@@ -99,7 +97,7 @@ class Sheet {
 
  private:
   static std::vector<dvec2> unit_circle() {
-    constexpr int corners = 48;
+    constexpr int corners = 72;
     std::vector<dvec2> ring;
     for (int i = 0; i < corners; ++i) {
       const SinCos at = sin_cos(2 * 3.14159265358979323846 * i / corners);

@@ -21,12 +21,6 @@ namespace gradus::textbook_chain {
 /// Models with more faces are drawn without edges, which would only hide them.
 inline constexpr std::size_t most_faces = 100;
 
-/// Places on the paper to what no eye tells apart: all their digits, of many pixels, would fill a page.
-inline std::vector<dvec2> in_thousandths(std::vector<dvec2> places) {
-  for (dvec2& p : places) p = glm::round(p * 1000.0) / 1000.0;
-  return places;
-}
-
 inline std::string padded(std::string_view name, int number) { return fmt::format("{} {:05}", name, number); }
 
 /// The part of a polygon with w >= least as points (x / w, y / w, z / w): for drawing what lies before the
