@@ -121,6 +121,8 @@ class Views {
   /// Pixels as areas: of other pieces all, of the followed one down to this row.
   void covered(View& view, int last_row) const;
   void mark_pixel(View& view) const;
+  /// What comes out, and the followed pixel in it.
+  void picture(View& view) const;
   Rgba8 depth_tone(double depth) const;
   /// The pixels round the followed one, large: what of the followed piece they are, and its outline.
   Panel near_pixel(View& view, const std::function<std::optional<Role>(ivec2)>& role) const;

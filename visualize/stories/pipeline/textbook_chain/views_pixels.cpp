@@ -89,10 +89,9 @@ Panel Views::near_pixel(View& view, const std::function<std::optional<Role>(ivec
   for (int y = lower.y; y <= upper.y; ++y) {
     for (int x = lower.x; x <= upper.x; ++x) {
       const int number = 100 * (y - first.y) + x - first.x;
-      view.add({padded("b near centre", number), Role::guide,
-                Path{in_thousandths(panel.at(diamond({x, y}))), true}});
+      view.add({padded("b near centre", number), Role::guide, Path{panel.at(diamond({x, y})), true}});
       if (const auto found = role({x, y}))
-        view.add({padded("a near", number), *found, Area{{in_thousandths(panel.at(square({x, y})))}}});
+        view.add({padded("a near", number), *found, Area{{panel.at(square({x, y}))}}});
     }
   }
   const auto add_line = [&](std::string_view id, int number, dvec2 from, dvec2 to) {
@@ -297,20 +296,23 @@ View Views::visibility() const {
 
 // --- 8: output ------------------------------------------------------------------------------------------
 
-/// The picture to be filled: its pixels would be as much as a stage's, twice.
-View Views::goal() const {
-  View view = begin(0, words_.say("space.picture"));
+void Views::picture(View& view) const {
+  for (const Written& w : run_.written) put(view, w.pixel, Role::result, w.colour);
   frame(view);
   mark_pixel(view);
+}
+
+/// What the stages are to make; the followed pixel can be dragged in it.
+View Views::goal() const {
+  View view = begin(0, words_.say("space.picture"));
+  picture(view);
   cards_.stages(view);
   return view;
 }
 
 View Views::output(bool whole) const {
   View view = begin(8, words_.say("space.picture"));
-  for (const Written& w : run_.written) put(view, w.pixel, Role::result, w.colour);
-  frame(view);
-  mark_pixel(view);
+  picture(view);
   if (whole)
     cards_.way(view);
   else
