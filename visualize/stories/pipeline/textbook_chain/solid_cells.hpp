@@ -2,6 +2,7 @@
 // A solid in the fine cells of the paper, in the colours of its materials: the nearest face at each cell.
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "stories/paper.hpp"
@@ -22,23 +23,20 @@ class SolidCells {
 
   /// colour: of its light.
   void add(const std::vector<dvec3>& ring, dvec3 colour);
-  /// Cells of which at least a half is covered.
+  /// The cells whose middle is covered.
   void put(View& view) const;
 
  private:
-  struct Sample {
-    double towards = 0;  ///< of the nearest face
-    dvec3 colour{0};
-    bool covered = false;
+  struct Nearest {
+    double towards;  ///< of the face
+    Rgba8 tone;
   };
-  /// Of a cell in each direction.
-  static constexpr int samples = 1;
 
   void add_triangle(const std::array<dvec3, 3>& corners, dvec3 colour);
 
   const Panel& panel_;
   ivec2 lower_, size_;  ///< cells
-  std::vector<Sample> samples_;
+  std::vector<std::optional<Nearest>> nearest_;
 };
 
 }  // namespace gradus::textbook_chain
