@@ -185,6 +185,15 @@ inline std::string figure_factor(std::string number) {
 }
 inline std::string figure_factor(double value) { return figure_factor(figure_real(value)); }
 
+/// Two slanted strokes across a line of this direction, a unit vector: what goes on there is left out.
+inline void add_break(View& view, const std::string& id, Role role, dvec2 at, dvec2 along) {
+  const dvec2 slanted = 0.45 * dvec2{along.x * 0.5 - along.y, along.x + along.y * 0.5};
+  for (const double aside : {-0.2, 0.2}) {
+    const dvec2 middle = at + aside * along;
+    view.add({fmt::format("{} {}", id, aside < 0 ? 1 : 2), role, Stroke{middle - slanted, middle + slanted}});
+  }
+}
+
 /// "(1, −0.5)", "(1, −0.5, 2)", with no-break spaces: a point's numbers as `text` has them.
 template <int N, class Text>
 std::string figure_place(const glm::vec<N, double>& p, Text text) {

@@ -53,15 +53,6 @@ inline void require_scale(const Arguments& arguments, const Line& line, const Re
   gradus::require_scale(Panel(paper, world_of(line, window)), arguments, {"window"});
 }
 
-/// Two slanted strokes across a line of this direction: what goes on there is left out.
-inline void add_break(View& view, const std::string& id, Role role, dvec2 at, dvec2 along) {
-  const dvec2 slanted = 0.45 * dvec2{along.x * 0.5 - along.y, along.x + along.y * 0.5};
-  for (const double aside : {-0.2, 0.2}) {
-    const dvec2 middle = at + aside * along;
-    view.add({fmt::format("{} {}", id, aside < 0 ? 1 : 2), role, Stroke{middle - slanted, middle + slanted}});
-  }
-}
-
 /// The plane in a part of the paper.
 class DrawnPlane {
  public:

@@ -71,7 +71,7 @@ class Scale {
     const dvec2 way = scale - end, middle = end + 0.5 * way;
     view.add({id + " 1", Role::guide, Stroke{end, middle - 0.08 * way}});
     view.add({id + " 2", Role::guide, Stroke{middle + 0.08 * way, scale}});
-    window_view::add_break(view, id + " break", Role::guide, middle, {1, 0});
+    add_break(view, id + " break", Role::guide, middle, {1, 0});
   }
 
   double least_, most_;

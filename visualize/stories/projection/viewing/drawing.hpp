@@ -409,12 +409,8 @@ class Drawing {
   /// Across the line of sight, with its true length: it is longer than it is drawn.
   void add_break(View& view) const {
     const dvec2 a = at(shown_eye()), b = at(subject_.target), middle = a + 0.55 * (b - a);
-    const dvec2 along = (b - a) / std::max(length_between(a, b), 1e-9), across{-along.y, along.x};
-    for (const double aside : {-0.25, 0.25}) {
-      view.add({fmt::format("sight break {}", aside), Role::guide,
-                Stroke{middle + aside * along - 0.5 * across - 0.2 * along,
-                       middle + aside * along + 0.5 * across + 0.2 * along}});
-    }
+    gradus::add_break(view, "sight break", Role::guide, middle,
+                      (b - a) / std::max(length_between(a, b), 1e-9));
     view.add({"sight length", Role::guide, Label{middle, figure_real(subject_.distance)}});
   }
   /// The camera: from the eye through the picture's corners.

@@ -126,14 +126,9 @@ inline Shape nearer(Shape shape, double far) {
 /// The way from the origin to what is drawn nearer, with a break across it.
 inline void add_broken_way(View& view, const Panel& panel, const std::string& id, dvec3 to,
                            const std::string& words) {
-  const dvec2 a = panel.at({0, 0}), b = panel.at(oblique(to)), along = unit(b - a), across{-along.y, along.x};
-  const dvec2 middle = 0.5 * (a + b);
+  const dvec2 a = panel.at({0, 0}), b = panel.at(oblique(to)), middle = 0.5 * (a + b);
   view.add({"c way " + id, Role::guide, Stroke{a, b, false, true}});
-  for (const double aside : {-0.25, 0.25}) {
-    view.add({fmt::format("c break {} {}", id, aside), Role::guide,
-              Stroke{middle + aside * along - 0.5 * across - 0.2 * along,
-                     middle + aside * along + 0.5 * across + 0.2 * along}});
-  }
+  add_break(view, "c break " + id, Role::guide, middle, unit(b - a));
   view.add({"k break " + id, Role::guide, Label{middle, words}});
 }
 
