@@ -326,10 +326,10 @@ constexpr std::array counted_tests{counted_test<By::area, by_area>("screen_area"
 
 void tell_costs(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
-  std::vector<CountedTest> tests(counted_tests.begin(), counted_tests.end());
-  std::ranges::stable_sort(tests, {}, [&](const CountedTest& test) { return test.operations(subject); });
-  const std::vector<Cost> costs =
-      mapped(tests, [&](const CountedTest& test) { return Cost{test.method, test.operations(subject)}; });
+  std::vector<Cost> costs;
+  for (const CountedTest& test : counted_tests)
+    costs.push_back({test.method, test.operations(subject), test.signs});
+  std::ranges::stable_sort(costs, {}, &Cost::operations);
   const std::vector<int> right = exact_signs(subject);
   narrator.paper(CostsStory::width, CostsStory::height);
   narrator.subtitle("subtitle.costs", {{"count", subject.faces.size()}});
@@ -340,15 +340,15 @@ void tell_costs(Narrator& narrator) {
                    {Role::past, "waiting"}});
   CostsStory story(narrator.words(), subject, costs);
   narrator.tell_whole(story, [&](const auto& watch) {
-    for (std::size_t i = 0; i < tests.size(); ++i) {
-      const std::vector<int> signs = tests[i].signs(subject);
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+      const std::vector<int> signs = costs[i].signs(subject);
       std::optional<std::int64_t> wrong;
       for (std::size_t k = 0; k < signs.size(); ++k)
         wrong = wrong.value_or(0) + ((signs[k] > 0) != (right[k] > 0) ? 1 : 0);
       watch(MethodCounted{i, costs[i].operations, wrong}, 0);
     }
   });
-  narrator.telling({std::ssize(tests) + 1, 0});
+  narrator.telling({std::ssize(costs) + 1, 0});
   narrator.result({{"faces", std::ssize(subject.faces)}});
 }
 

@@ -10,6 +10,7 @@ namespace gradus::back_face_culling {
 struct Cost {
   std::string_view method;
   std::int64_t operations;
+  std::vector<int> (*signs)(const Subject&);  ///< what the method finds
 };
 
 /// A method's operations are counted.
