@@ -132,12 +132,14 @@ inline void tell_pictures(Narrator& narrator) {
   const Words& words = narrator.words();
   const Arguments& given = narrator.arguments();
   const double radius = *given.number("radius");
-  if (!(radius >= 0.1 && radius <= 0.5)) refuse("radius", "expected 0.1 to 0.5 of a pixel for pictures");
+  if (!(radius >= 0.1 && radius <= 0.5))
+    refuse("radius", "expected 0.1 to 0.5 of a pixel for pictures, found {}", given.text("radius"));
   const auto seed = static_cast<std::uint64_t>(given.integer("seed"));
   const Fill fill = discs(radius);
-  const double n = Column(fill, seed).samples_per_pixel();
+  const Column discs_shown(fill, seed);
+  const double n = discs_shown.samples_per_pixel();
   const int side = std::max(1, static_cast<int>(std::round(std::sqrt(n))));
-  const std::array fills{grid_of(side), independent(n), fill};
+  const std::array columns{Column(grid_of(side), seed), Column(independent(n), seed), discs_shown};
   constexpr std::array<std::string_view, 3> told{"pictures.grid", "pictures.independent", "pictures.discs"};
   const std::vector names{words.say("short.grid"), words.say("short.independent"), words.say("short.discs")};
   narrator.trace().subtitle =
@@ -154,7 +156,7 @@ inline void tell_pictures(Narrator& narrator) {
   bridson({dvec2(1), true}, radius, 1, Random(seed), [](dvec2) {}, tried);
   std::array<double, 3> off{};
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const Column column(fills[k], seed);
+    const Column& column = columns[k];
     off[k] = difference(column.picture(), truth);
     column.dot(shelf, k);
     shelf.show("PictureTaken", k == 2 ? tried.line : 0, [&](ivec2 p) { return column.tone(p); },
