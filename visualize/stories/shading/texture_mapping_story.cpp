@@ -404,10 +404,10 @@ const TopicEntry& entry() {
             choice("texture", {"checker", "cross", "squares", "patches"}, "checker", "cross",
                    "what the texture shows"),
             integer(1, 16, "texels", "6", "8", "how many texels it has, either way"),
-            integer(1, 16, "tiles", "1", "2",
-                    "how often it lies on the quad, either way; all_filters, whose pixels are finer, lays a "
-                    "single one as often"
-                    " as they are"),
+            integer(
+                1, 16, "tiles", "1", "2",
+                "how often it lies on the quad, either way; all_filters repeats a single one as often as its "
+                "pixels are finer"),
             choice("wrap", {"repeat", "clamp"}, "repeat", "clamp", "what lies beyond its border")},
        .examples = {"--method bilinear --corners '-4,16,1 16,16,1 16,-4,1 -4,-4,1' --texels 4",
                     "--method mip_mapped --texels 16", "--method all_filters --tiles 4"}});
