@@ -321,8 +321,12 @@ void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
   const Extent section = Section::place_of(subject);
   narrator.whole_grid({{-4, -2}, ivec2(section.upper) + ivec2(6, 4)});
   add_pixel_grid(narrator, subject);
-  narrator.legend(
-      {{Role::input, "input"}, {Role::candidate, "candidate"}, Role::current, Role::rejected, Role::measure});
+  narrator.legend({{Role::input, "input"},
+                   {Role::candidate, "candidate"},
+                   Role::accepted,
+                   Role::current,
+                   Role::rejected,
+                   Role::measure});
   narrator.trace().legend.back().sample = Sample::cross;
   for (const Face& face : subject.faces) {
     narrator.trace().legend.push_back({Role::result, subject.name(face.id), {}, subject.color(face.id)});

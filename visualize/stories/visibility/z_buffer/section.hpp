@@ -79,7 +79,7 @@ class Section {
     for (int x = 0; x < subject_.size.x; ++x) {
       const auto held = holder.find({x, row});
       const auto depth = held == holder.end() ? std::nullopt : depth_at(held->second, {x, row});
-      if (depth) add_path(view, fmt::format("z kept {:02}", x), Role::result, {{x, *depth}, {x + 1, *depth}});
+      if (depth) add_path(view, fmt::format("z kept {:02}", x), Role::accepted, {{x, *depth}, {x + 1, *depth}});
     }
   }
   /// A face's depth at a pixel and the one of the face that is shown there.
@@ -124,7 +124,7 @@ class Section {
     add_text(view, "z name", Role::guide, {place_.lower.x - 0.4 * unit_, place_.lower.y - 0.9 * unit_},
              z_ + "\u00a0↑", Align::right);
   }
-  /// A face's depth along the middle of a row, with the face's name at its left end.
+  /// A face's depth along the middle of a row, with the face's name near its right end.
   void add_line(View& view, const Face& face, int row, Role role) const {
     const auto plane = plane_of(face);
     if (!plane) return;
