@@ -11,6 +11,24 @@
 namespace gradus {
 namespace {
 
+// --- Papers ------------------------------------------------------------------------------------------------
+
+/// The frames of topics' drawings; what lies beyond a paper's border is cut off.
+TEST(Papers, HoldTheFramesThatAreDrawnOnThem) {
+  for (const Trace& trace : test::shared_traces()) {
+    if (trace.grid.axes) continue;
+    const dvec2 lower = dvec2(trace.grid.cells.lower) - 0.5, upper = dvec2(trace.grid.cells.upper) + 0.5;
+    const auto judge = [&](const Mark& mark) {
+      const auto* path = std::get_if<Path>(&mark.shape);
+      if (!path || !path->closed || mark.role != Role::boundary) return;
+      for (const dvec2 p : path->points)
+        EXPECT_EQ(p, glm::clamp(p, lower, upper)) << trace.topic << " " << trace.method << ": " << mark.id;
+    };
+    for (const Mark& mark : trace.backdrop) judge(mark);
+    for (const TraceStep& step : trace.steps) std::ranges::for_each(step.delta.set, judge);
+  }
+}
+
 // --- Views -------------------------------------------------------------------------------------------------
 
 TEST(View, TheDifferenceTurnsOneIntoTheOther) {

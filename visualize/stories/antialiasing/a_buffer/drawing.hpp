@@ -29,7 +29,7 @@ inline std::string hex_of(Mask mask) { return fmt::format("{:08x}", mask); }
 /// The pixel, its rows downwards.
 struct LargePixel {
   static constexpr double side = 17.6;
-  static constexpr dvec2 corner{0.8, 23.8};
+  static constexpr dvec2 corner{0.8, 23.3};
 
   static dvec2 at(dvec2 p) { return {corner.x + side * p.x, corner.y - side * p.y}; }
   static dvec2 place(int sample) {

@@ -79,7 +79,8 @@ class Section {
     for (int x = 0; x < subject_.size.x; ++x) {
       const auto held = holder.find({x, row});
       const auto depth = held == holder.end() ? std::nullopt : depth_at(held->second, {x, row});
-      if (depth) add_path(view, fmt::format("z kept {:02}", x), Role::accepted, {{x, *depth}, {x + 1, *depth}});
+      if (depth)
+        add_path(view, fmt::format("z kept {:02}", x), Role::accepted, {{x, *depth}, {x + 1, *depth}});
     }
   }
   /// A face's depth at a pixel and the one of the face that is shown there.
