@@ -29,6 +29,12 @@ std::string text_of_value(const Value& value) {
       value);
 }
 
+std::string text_of_pixels(const Image& image) {
+  std::string text;
+  for (const Rgba8& c : image.cells()) text += fmt::format("{:02x}{:02x}{:02x}{:02x}", c.r, c.g, c.b, c.a);
+  return text;
+}
+
 std::string text_of_shape(const Mark& mark) {
   std::string text;
   const auto point = [&text](dvec2 p) { text += fmt::format(" {} {}", p.x, p.y); };
@@ -59,6 +65,9 @@ std::string text_of_shape(const Mark& mark) {
   } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
     point(label->at);
     text += " " + label->text;
+  } else if (const Picture* picture = std::get_if<Picture>(&mark.shape)) {
+    points({picture->lower, picture->upper});
+    text += text_of_pixels(*picture->image);
   }
   return text;
 }
@@ -133,10 +142,7 @@ std::string text_of_grid(const Grid& grid) {
   const Window& cells = grid.cells;
   std::string text = fmt::format("{} {} {} {}|{}{}{}|{}|{}", cells.lower.x, cells.lower.y, cells.upper.x,
                                  cells.upper.y, grid.y_up, grid.whole, grid.axes, grid.x_name, grid.y_name);
-  if (grid.picture) {
-    for (const Rgba8& c : grid.picture->cells())
-      text += fmt::format("{:02x}{:02x}{:02x}{:02x}", c.r, c.g, c.b, c.a);
-  }
+  if (grid.picture) text += text_of_pixels(*grid.picture);
   return text;
 }
 

@@ -93,6 +93,7 @@ inline bool is_mark(const Shape& shape) {
   if (shape.slot != Slot::drawing || shape.id.starts_with("leader ") || shape.id.starts_with("overview"))
     return false;
   if (shape.id == "colours" || shape.id.starts_with("border ")) return true;
+  if (const auto* image = std::get_if<ImageShape>(&shape.what)) return image->smooth;
   if (std::holds_alternative<TextShape>(shape.what) || std::holds_alternative<AreaShape>(shape.what))
     return false;
   const std::optional<Role> role = role_of(shape);

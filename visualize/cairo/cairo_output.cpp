@@ -230,7 +230,8 @@ class Painter {
     cairo().translate(context_, shape.box.x, shape.box.y);
     cairo().scale(context_, shape.box.width / shape.image.width(), shape.box.height / shape.image.height());
     cairo().set_source_surface(context_, pixels.get(), 0, 0);
-    cairo().pattern_set_filter(cairo().get_source(context_), CAIRO_FILTER_NEAREST);
+    cairo().pattern_set_filter(cairo().get_source(context_),
+                               shape.smooth ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
     cairo().rectangle(context_, 0, 0, shape.image.width(), shape.image.height());
     cairo().fill(context_);
     cairo().restore(context_);

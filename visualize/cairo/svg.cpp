@@ -325,11 +325,12 @@ class SvgWriter {
     attribute("y", shape.box.y);
     attribute("width", shape.box.width);
     attribute("height", shape.box.height);
+    body_ += " preserveAspectRatio=\"none\" ";
     // Two words for one wish: browsers know the style, older programs the attribute
-    body_ +=
-        " preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
-        "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,";
-    body_ += base64(text_of(encode_png(enlarged(pixels_of(shape, finish_.theme), shape.box))));
+    if (!shape.smooth) body_ += "image-rendering=\"optimizeSpeed\" style=\"image-rendering:pixelated\" ";
+    body_ += "xlink:href=\"data:image/png;base64,";
+    const Image pixels = pixels_of(shape, finish_.theme);
+    body_ += base64(text_of(encode_png(shape.smooth ? pixels : enlarged(pixels, shape.box))));
     body_ += '"';
     end();
   }

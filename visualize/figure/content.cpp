@@ -35,6 +35,9 @@ class Survey {
       for (const auto& ring : area->rings) {
         for (const dvec2 p : ring) add(p, false);
       }
+    } else if (const Picture* picture = std::get_if<Picture>(&mark.shape)) {
+      for (const dvec2 p : {picture->lower, picture->upper})
+        add(p, counts && !picture->aside, picture->aside);
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
       const double width = text_width(text->text, Face::sans, layout::text_size);
       const double left = text->align == Align::left ? 0 : text->align == Align::centre ? width / 2 : width;
@@ -83,12 +86,18 @@ class Survey {
   std::map<std::pair<double, double>, Content::TextRoom> texts_;
 };
 
+/// Texts and pictures have no look that a legend could tell.
+bool shows_its_role(const Mark& mark) {
+  return !std::holds_alternative<Text>(mark.shape) && !std::holds_alternative<Label>(mark.shape) &&
+         !std::holds_alternative<Picture>(mark.shape);
+}
+
 /// What a legend can tell of the drawing while steps change it.
 class LegendWatch {
  public:
   void set(const Mark& mark) {
     remove(mark.id);
-    if (std::holds_alternative<Text>(mark.shape) || std::holds_alternative<Label>(mark.shape)) return;
+    if (!shows_its_role(mark)) return;
     roles_.emplace(mark.id, mark.role);
     ++seen_[Seen{mark.role, std::nullopt}];
   }

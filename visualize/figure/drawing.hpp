@@ -52,6 +52,18 @@ struct Area {
   friend bool operator==(const Area&, const Area&) = default;
 };
 
+/// A picture that is looked at as a whole, not pixel by pixel: drawn smoothly in its rectangle, below all
+/// lines, row 0 at the top. Copies share the pixels.
+struct Picture {
+  dvec2 lower, upper;
+  std::shared_ptr<const Image> image;
+  bool aside = false;  ///< as for a text
+  friend bool operator==(const Picture& a, const Picture& b) {
+    return a.lower == b.lower && a.upper == b.upper && a.aside == b.aside &&
+           (a.image == b.image || *a.image == *b.image);
+  }
+};
+
 /// Text at its place: the number of a tick, a region's code, a caption. `at` is its left end, middle or right
 /// end at half height. Where it would lie on a text that is there already it is left out; the first by id
 /// stays.
@@ -75,7 +87,7 @@ struct Label {
 struct Mark {
   std::string id;  ///< stable over all steps; setting a mark with a known id replaces it
   Role role;
-  std::variant<Dot, Stroke, Path, Area, Text, Label> shape;
+  std::variant<Dot, Stroke, Path, Area, Text, Label, Picture> shape;
   std::string quantity{};  ///< whose value a dot or text shows: its colour goes before the role's
   friend bool operator==(const Mark&, const Mark&) = default;
 };

@@ -147,12 +147,13 @@ struct TextShape {
   /// Whether it is another text's rim alone, which lies further down: it has no paint of its own.
   bool is_rim() const { return paint.part == Paint::Part::none; }
 };
-/// A raster of cells drawn as squares without smoothing.
+/// A raster of cells drawn as squares without smoothing, or `smooth`, as a picture.
 struct ImageShape {
   Box box;
   Image image;
   Raster<std::uint8_t>
       roles{};  ///< empty, or of the image's size: 1 + a role paints that role's mark over it
+  bool smooth = false;
 };
 
 struct Shape {

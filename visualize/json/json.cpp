@@ -4,21 +4,21 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <unordered_map>
 
 #include "figure/seen_cells.hpp"
 #include "figure/text/markup.hpp"
 #include "figure/text/metrics.hpp"
 #include "figure/text/typesetting.hpp"
+#include "json/drawing_json.hpp"
 #include "json/script_safe.hpp"
 
 namespace gradus {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
+using json::mark_json;
 
 // -- Text -----------------------------------------------------------------------------------------
 
@@ -102,9 +102,7 @@ std::string_view name_of(Standing standing) {
   return names[static_cast<std::size_t>(standing)];
 }
 
-// -- The drawing: compact, because a trace has many of these --------------------------------------
-
-int index_of(Role role) { return static_cast<int>(role); }
+// -- The drawing ----------------------------------------------------------------------------------
 
 /// A list's elements, each as `to_json` has it.
 Json list_of(const auto& list, const auto& to_json) {
@@ -113,72 +111,12 @@ Json list_of(const auto& list, const auto& to_json) {
   return out;
 }
 
-/// x and y in turn.
-Json points_json(const std::vector<dvec2>& points) {
-  Json out = Json::array();
-  for (const dvec2& p : points) out.insert(out.end(), {p.x, p.y});
-  return out;
-}
-
-/// Of a place in a drawing what can be seen: a ten-thousandth of a cell. With all their digits, drawings were
-/// most of a page that plays a run.
-double seen(double x) {
-  const double rounded = std::round(x * 1e4) / 1e4;
-  return std::isfinite(rounded) ? rounded : x;
-}
-Json places_json(std::vector<dvec2> places) {
-  for (dvec2& p : places) p = {seen(p.x), seen(p.y)};
-  return points_json(places);
-}
-
-/// [id, role, kind, numbers or text …]; the kind says what follows.
-Json mark_json(const Mark& mark) {
-  Json out = Json::array({mark.id, index_of(mark.role)});
-  if (const auto* dot = std::get_if<Dot>(&mark.shape)) {
-    out.insert(out.end(), {dot->ring ? "ring" : "dot", seen(dot->at.x), seen(dot->at.y)});
-  } else if (const auto* stroke = std::get_if<Stroke>(&mark.shape)) {
-    out.push_back(stroke->arrow ? "arrow" : "stroke");
-    out.insert(out.end(), {seen(stroke->a.x), seen(stroke->a.y), seen(stroke->b.x), seen(stroke->b.y)});
-    if (stroke->dashed) out.push_back("dashed");
-    if (stroke->thin) out.push_back("thin");
-  } else if (const auto* path = std::get_if<Path>(&mark.shape)) {
-    out.push_back(path->closed ? "polygon" : "path");
-    out.push_back(places_json(path->points));
-    if (path->dashed) out.push_back("dashed");
-  } else if (const auto* area = std::get_if<Area>(&mark.shape)) {
-    out.push_back("area");
-    for (const auto& ring : area->rings) out.push_back(places_json(ring));
-    if (area->shade > 0) out.push_back(area->shade);
-  } else if (const auto* text = std::get_if<Text>(&mark.shape)) {
-    constexpr std::array<std::string_view, 3> aligns{"left", "centre", "right"};
-    out.insert(out.end(), {"text", seen(text->at.x), seen(text->at.y), text->text,
-                           aligns[static_cast<std::size_t>(text->align)]});
-    if (text->line != 0) out.push_back(text->line);
-  } else if (const auto* label = std::get_if<Label>(&mark.shape)) {
-    out.insert(out.end(), {"label", seen(label->at.x), seen(label->at.y), label->text});
-  }
-  if (!mark.quantity.empty()) out.push_back({{"quantity", mark.quantity}});
-  return out;
-}
-
 template <class Marks>
 Json marks_json(const Marks& marks) {
   return list_of(marks, mark_json);
 }
 
-/// "#rrggbb".
-std::string hex(Rgba8 color) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const int part : {color.r, color.g, color.b}) {
-    text += digits[static_cast<std::size_t>(part / 16)];
-    text += digits[static_cast<std::size_t>(part % 16)];
-  }
-  return text;
-}
-
-/// Cells with one look, side by side in a row: [x, y, count, role], [x, y, count, role, text] or
-/// [x, y, count, role, text, colour]; role -1: bare.
+/// Cells as runs of one look.
 class Runs {
  public:
   void add(ivec2 at, const std::optional<CellLook>& look) {
@@ -199,10 +137,7 @@ class Runs {
  private:
   void flush() {
     if (count_ == 0) return;
-    Json run = Json::array({start_.x, start_.y, count_, look_ ? index_of(look_->role) : -1});
-    if (look_ && (look_->color || !look_->text.empty())) run.push_back(look_->text);
-    if (look_ && look_->color) run.push_back(hex(*look_->color));
-    out_.push_back(std::move(run));
+    out_.push_back(json::run_json(start_, count_, look_));
   }
   ivec2 start_{0, 0};
   std::int64_t count_ = 0;
@@ -227,31 +162,6 @@ Json before_json(const Trace& trace) {
   return out;
 }
 
-/// Up to 256 colours: a palette and a byte per texel; else four bytes per texel.
-Json picture_json(const Image& image) {
-  std::unordered_map<std::uint32_t, std::size_t> index;
-  Json palette = Json::array();
-  std::string indices, rgba;
-  for (const Rgba8& c : image.cells()) {
-    const std::array<std::uint8_t, 4> bytes{c.r, c.g, c.b, c.a};
-    for (const std::uint8_t b : bytes) rgba += static_cast<char>(b);
-    if (index.size() > 256) continue;
-    const std::uint32_t color =
-        std::uint32_t{c.r} << 24 | std::uint32_t{c.g} << 16 | std::uint32_t{c.b} << 8 | c.a;
-    const auto [found, is_new] = index.try_emplace(color, index.size());
-    if (is_new) palette.push_back(Json(bytes));
-    indices += static_cast<char>(found->second);
-  }
-  Json out{{"width", image.width()}, {"height", image.height()}};
-  if (index.size() <= 256) {
-    out["palette"] = std::move(palette);
-    out["indices"] = base64(indices);
-  } else {
-    out["rgba"] = base64(rgba);
-  }
-  return out;
-}
-
 Json grid_json(const Grid& grid) {
   const auto [lower, upper] = grid.cells;
   Json out{{"lower", point(lower)}, {"upper", point(upper)}, {"y_up", grid.y_up}};
@@ -262,7 +172,7 @@ Json grid_json(const Grid& grid) {
   if (grid.part) out["part"] = {{"lower", point(grid.part->lower)}, {"upper", point(grid.part->upper)}};
   if (grid.lines > 0) out["lines"] = grid.lines;
   if (grid.shelf > 0) out["shelf"] = grid.shelf;
-  if (grid.picture) out["picture"] = picture_json(*grid.picture);
+  if (grid.picture) out["picture"] = json::picture_json(*grid.picture);
   return out;
 }
 
@@ -387,7 +297,7 @@ Json names_json(const Trace& trace) {
 /// [parameter, [its numbers], [x, y], [dx, dy for each number]] each
 Json handles_json(const std::vector<Handle>& handles) {
   return list_of(handles, [](const Handle& h) {
-    return Json::array({h.parameter, h.numbers, Json::array({h.at.x, h.at.y}), points_json(h.along)});
+    return Json::array({h.parameter, h.numbers, Json::array({h.at.x, h.at.y}), json::points_json(h.along)});
   });
 }
 
@@ -395,8 +305,8 @@ void put_drawing(Lines& out, const Trace& trace, bool with_legend) {
   Json roles = Json::array(), legend = Json::array();
   for (const Role role : all_roles) roles.push_back(name_of(role));
   for (const LegendEntry& e : trace.legend) {
-    Json entry = Json::array({index_of(e.role), e.text});
-    if (e.color) entry.push_back(hex(*e.color));
+    Json entry = Json::array({static_cast<int>(e.role), e.text});
+    if (e.color) entry.push_back(json::hex(*e.color));
     legend.push_back(std::move(entry));
   }
   out.member("roles", roles);

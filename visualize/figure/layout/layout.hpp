@@ -166,6 +166,8 @@ struct Frame {
     return {centre.x - cell / 2, centre.y - cell / 2, cell, cell};
   }
 };
+/// The whole pixels of a picture that lie in the frame.
+ImageShape image_in(const Frame& frame, const Picture& picture);
 
 /// Where the parts of the drawing lie, in pixels: over all steps only the cells in view may change.
 struct Scene {

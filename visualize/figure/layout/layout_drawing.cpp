@@ -232,6 +232,7 @@ class DrawingLayout {
   bool without_asides() const { return at_.among_many || at_.bare; }
 
   void take(const Mark& mark, bool fixed) {
+    if (figure_.canvas->plane()) draw_ground(mark);
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
       take_chain(mark, {stroke->a, stroke->b},
                  {.arrow = stroke->arrow, .dashed = stroke->dashed, .thin = stroke->thin});
@@ -240,8 +241,6 @@ class DrawingLayout {
       take_chain(mark, path->points, {.closed = path->closed, .dashed = path->dashed});
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
       take_dot(mark, *dot);
-    } else if (const Area* area = std::get_if<Area>(&mark.shape)) {
-      if (figure_.canvas->plane()) draw_area(mark, *area);
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
       if (!(text->aside && without_asides())) texts_.emplace_back(&mark, text);
     } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
@@ -250,12 +249,13 @@ class DrawingLayout {
   }
 
   void draw_areas() {
-    for (const Mark& mark : trace_.backdrop) {
-      if (const Area* area = std::get_if<Area>(&mark.shape)) draw_area(mark, *area);
-    }
-    for (const auto& [id, mark] : figure_.canvas->marks()) {
-      if (const Area* area = std::get_if<Area>(&mark.shape)) draw_area(mark, *area);
-    }
+    for (const Mark& mark : trace_.backdrop) draw_ground(mark);
+    for (const auto& [id, mark] : figure_.canvas->marks()) draw_ground(mark);
+  }
+  void draw_ground(const Mark& mark) {
+    if (const Area* area = std::get_if<Area>(&mark.shape)) draw_area(mark, *area);
+    const Picture* picture = std::get_if<Picture>(&mark.shape);
+    if (picture && !(picture->aside && without_asides())) pen_.image(mark.id, image_in(frame_, *picture));
   }
   void draw_area(const Mark& mark, const Area& area) {
     std::vector<std::vector<dvec2>> rings;

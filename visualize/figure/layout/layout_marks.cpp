@@ -210,4 +210,22 @@ void draw_legend_mark(Pen& pen, const std::string& id, Role role, const LegendMa
   }
 }
 
+ImageShape image_in(const Frame& frame, const Picture& picture) {
+  const dvec2 a = frame.point(picture.lower), b = frame.point(picture.upper);
+  const dvec2 corner = glm::min(a, b), last = glm::max(a, b),
+              size(picture.image->width(), picture.image->height());
+  const dvec2 pixel = (last - corner) / size;
+  const dvec2 least(frame.box.x, frame.box.y), most(frame.box.right(), frame.box.bottom());
+  constexpr double noise = 1e-6;  // of a pixel
+  const dvec2 from = glm::ceil(glm::max((least - corner) / pixel, dvec2(0)) - noise);
+  const dvec2 to = glm::floor(glm::min((most - corner) / pixel, size) + noise);
+  const ivec2 columns_rows(glm::max(to - from, dvec2(0)));
+  Image part(columns_rows.x, columns_rows.y);
+  for (ivec2 p{0, 0}; p.y < part.height(); ++p.y) {
+    for (p.x = 0; p.x < part.width(); ++p.x) part[p] = (*picture.image)[p + ivec2(from)];
+  }
+  const dvec2 at = corner + from * pixel, reach = dvec2(columns_rows) * pixel;
+  return {{at.x, at.y, reach.x, reach.y}, std::move(part), {}, true};
+}
+
 }  // namespace gradus::layout

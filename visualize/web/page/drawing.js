@@ -10,6 +10,19 @@ function decodePicture(picture) {
   return out;
 }
 
+/** A picture as the address of an image. */
+const addresses = new WeakMap();
+function addressOf(picture) {
+  if (!addresses.has(picture)) {
+    const canvas = html('canvas', {width: picture.width, height: picture.height});
+    const context = canvas.getContext('2d'), image = context.createImageData(picture.width, picture.height);
+    image.data.set(decodePicture(picture));
+    context.putImageData(image, 0, 0);
+    addresses.set(picture, canvas.toDataURL());
+  }
+  return addresses.get(picture);
+}
+
 /** x and y in turn, of a mark that is a chain of strokes. */
 const numbersOf = (kind, rest) => (kind === 'path' || kind === 'polygon' ? rest[0] : rest.slice(0, 4));
 const LINE_WIDTHS = {
@@ -239,6 +252,8 @@ class Drawing extends StillDrawing {
     };
     if (kind === 'area')
       this.drawArea(rest, role, attributes);
+    else if (kind === 'picture')
+      this.drawImage(rest, attributes);
     else if (kind === 'text')
       pending.texts.push({
         at: toPixels(this.at, rest[0], rest[1]),
@@ -276,6 +291,18 @@ class Drawing extends StillDrawing {
     if (hatched === 'none' || shade) return [area];
     const hatch = `url(#${this.patternId(role)})`;
     return [area, svg('path', {d, fill: hatch, 'fill-rule': 'evenodd', 'pointer-events': 'none'})];
+  }
+  drawImage([ax, ay, bx, by, picture], attributes) {
+    const a = toPixels(this.at, ax, ay), b = toPixels(this.at, bx, by), [x, y] = [0, 1].map((i) => Math.min(a[i], b[i]));
+    this.layers.areas.append(svg('image', {
+      x,
+      y,
+      width: Math.abs(b[0] - a[0]),
+      height: Math.abs(b[1] - a[1]),
+      href: addressOf(picture),
+      preserveAspectRatio: 'none',
+      ...attributes
+    }));
   }
   drawDot([x, y], kind, look, attributes) {
     const [cx, cy] = toPixels(this.at, x, y);

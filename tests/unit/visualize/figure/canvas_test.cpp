@@ -120,7 +120,64 @@ TEST(Layout, AWholeGridIsShownInSmallCellsInsteadOfAPart) {
   EXPECT_LT(columns_shown(false), 100);
 }
 
+/// A plane of 12 x 8 cells with these pictures on it.
+Trace pictured(std::vector<Mark> pictures) {
+  TraceWriter writer({});
+  writer.trace().title = "Pictures";
+  Grid& grid = writer.trace().grid;
+  grid.cells = {{0, 0}, {11, 7}};
+  grid.whole = true;
+  writer.step({true, {}, {}, std::move(pictures)}, {0, 0}, 0,
+              [](TraceStep& step) { step.sentence = "Done."; });
+  return std::move(writer).finish();
+}
+
+/// Of 4 x 2 pixels, each another.
+std::shared_ptr<const Image> eight_pixels() {
+  Image image(4, 2);
+  for (int i = 0; i < 8; ++i)
+    image[{i % 4, i / 4}] = {static_cast<std::uint8_t>(30 * i), 0, static_cast<std::uint8_t>(200 - 20 * i),
+                             255};
+  return std::make_shared<const Image>(std::move(image));
+}
+
+TEST(Layout, APictureIsCutAtTheBorderByWholePixels) {
+  const auto image = eight_pixels();
+  Image inner(3,
+              1);  // the upper row's last three: what lies inside where its first column and lower row don't
+  for (int x = 0; x < 3; ++x) inner[{x, 0}] = (*image)[{x + 1, 0}];
+  const Sheet sheet = sheet_of(
+      pictured(
+          {{"cut", Role::result, Picture{{-2.5, -3.5}, {5.5, 2.5}, image}},
+           {"whole", Role::result, Picture{{-0.5, -0.5}, {5.5, 2.5}, std::make_shared<const Image>(inner)}}}),
+      0);
+  const Shape *cut = shape_called(sheet, "cut"), *whole = shape_called(sheet, "whole");
+  ASSERT_TRUE(cut && whole);
+  EXPECT_EQ(std::get<ImageShape>(cut->what).image, inner);
+  EXPECT_TRUE(std::get<ImageShape>(cut->what).smooth);
+  const Box a = extents_of(*cut), b = extents_of(*whole);
+  EXPECT_NEAR(a.x, b.x, 1e-9);
+  EXPECT_NEAR(a.y, b.y, 1e-9);
+  EXPECT_NEAR(a.right(), b.right(), 1e-9);
+  EXPECT_NEAR(a.bottom(), b.bottom(), 1e-9);
+}
+
 // --- As JSON -----------------------------------------------------------------------------------------------
+
+TEST(Json, APictureHasItsRectangleAndItsPixels) {
+  using Json = nlohmann::json;
+  const Json json =
+      Json::parse(trace_json(pictured({{"p", Role::result, Picture{{0, 1}, {4, 3}, eight_pixels()}}})));
+  const Json& mark = json["steps"][0]["set"][0];
+  ASSERT_EQ(mark.size(), 8u);
+  EXPECT_EQ(mark[2], "picture");
+  EXPECT_EQ((Json{mark[3], mark[4], mark[5], mark[6]}), (Json{0.0, 1.0, 4.0, 3.0}));
+  EXPECT_EQ(mark[7]["width"], 4);
+  EXPECT_EQ(mark[7]["height"], 2);
+  EXPECT_EQ(mark[7]["palette"].size(), 8u);
+  EXPECT_EQ(mark[7]["palette"][5], Json::parse("[150, 0, 100, 255]"));
+  EXPECT_EQ(mark[7]["indices"], "AAECAwQFBgc=");
+}
 
 TEST(Json, TellsOfPlanesColoursAndWholeGrids) {
   using Json = nlohmann::json;
