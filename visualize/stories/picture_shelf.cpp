@@ -26,7 +26,8 @@ std::size_t PictureShelf::columns() const {
 }
 std::size_t PictureShelf::rows() const { return (look_.names.size() + columns() - 1) / columns(); }
 int PictureShelf::width() const {
-  return look_.part ? std::max(look_.size.x, look_.part->size.x * look_.part->magnified) : look_.size.x;
+  return look_.left +
+         (look_.part ? std::max(look_.size.x, look_.part->size.x * look_.part->magnified) : look_.size.x);
 }
 int PictureShelf::height() const {
   return look_.size.y + look_.plot +
@@ -37,7 +38,7 @@ ivec2 PictureShelf::corner(std::size_t k) const {
   const auto column = static_cast<int>(k % columns());
   const std::size_t row = k / columns(), from_below = rows() - 1 - row;
   const int step = look_.heading + height();
-  return {1 + column * (width() + look_.gap) + (width() - look_.size.x) / 2,
+  return {1 + look_.left + column * (width() + look_.gap) + (width() - look_.left - look_.size.x) / 2,
           look_.y_up ? 1 + look_.plot + static_cast<int>(from_below) * step
                      : look_.heading + static_cast<int>(row) * step};
 }
@@ -78,8 +79,12 @@ void PictureShelf::show(std::string_view type, int line,
   // What waited gives way to the picture
   const std::string waiting = fmt::format("o {} ", k);
   std::erase_if(view_.marks, [&](const auto& mark) { return mark.first.starts_with(waiting); });
-  for (ivec2 p{0, 0}; p.y < look_.size.y; ++p.y) {
-    for (p.x = 0; p.x < look_.size.x; ++p.x) put(corner(k) + p, tone(p));
+  if (look_.fine > 1) {
+    view_.add({fmt::format("b {}", k), Role::result, picture(k, tone)});
+  } else {
+    for (ivec2 p{0, 0}; p.y < look_.size.y; ++p.y) {
+      for (p.x = 0; p.x < look_.size.x; ++p.x) put(corner(k) + p, tone(p));
+    }
   }
   if (const auto& part = look_.part) {
     const ivec2 size = part->size * part->magnified;
@@ -94,6 +99,18 @@ void PictureShelf::show(std::string_view type, int line,
 }
 void PictureShelf::put(ivec2 cell, const std::optional<Rgba8>& tone) {
   if (tone) view_.cells.insert_or_assign({cell.y, cell.x}, CellLook{Role::result, "", *tone});
+}
+
+Picture PictureShelf::picture(std::size_t k, const ToneAt& tone) const {
+  const ivec2 size = look_.fine * look_.size;
+  Image image(size.x, size.y, {0, 0, 0, 0});
+  for (ivec2 p{0, 0}; p.y < size.y; ++p.y) {
+    for (p.x = 0; p.x < size.x; ++p.x) {
+      if (const auto found = tone(p)) image[{p.x, look_.y_up ? size.y - 1 - p.y : p.y}] = *found;
+    }
+  }
+  return {on_paper(k, {0, 0}), on_paper(k, dvec2(look_.size)),
+          std::make_shared<const Image>(std::move(image))};
 }
 
 void PictureShelf::finish(const Event& event) {

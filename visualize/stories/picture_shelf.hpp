@@ -30,7 +30,7 @@ class PictureShelf {
     ivec2 at, size;
     int magnified;
   };
-  /// Lengths are in cells, a pixel each.
+  /// Lengths are in cells, a pixel each unless pictures are fine.
   struct Look {
     ivec2 size;                      ///< of a picture
     std::vector<std::string> names;  ///< of the pictures, in their order
@@ -38,6 +38,8 @@ class PictureShelf {
     int gap = 2, heading = 3;        ///< between pictures, and above each for its name
     bool y_up = false;               ///< rows of pictures count upwards
     int plot = 0;                    ///< with y_up: so many rows below each picture, for marks
+    int left = 0;                    ///< so many columns left of each, for marks
+    int fine = 1;                    ///< so many pixels a cell, either way: above 1, looked at as a whole
     std::optional<Part> part{};
   };
   /// The drawing gets the cells that all of them take.
@@ -60,7 +62,8 @@ class PictureShelf {
 
   /// The step that shows all that waits.
   void start(const Event& event);
-  /// The step of the next picture: the tone of each of its pixels, or none.
+  /// The step of the next picture: the tone of each of its pixels, or none. They count from its corner with
+  /// the least numbers, `fine` to a cell.
   void show(std::string_view type, int line, const std::function<std::optional<Rgba8>(ivec2)>& tone,
             const Event& event);
   /// The step after the last one; the figure that tells most is the last picture's.
@@ -74,7 +77,9 @@ class PictureShelf {
   std::size_t columns() const;
   std::size_t rows() const;
   void add_name(std::size_t k);
+  using ToneAt = std::function<std::optional<Rgba8>(ivec2)>;
   void put(ivec2 cell, const std::optional<Rgba8>& tone);
+  Picture picture(std::size_t k, const ToneAt& tone) const;
   void step(std::string_view type, int line, const Event& event);
 
   Narrator& narrator_;

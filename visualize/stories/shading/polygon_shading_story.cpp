@@ -363,7 +363,7 @@ const TopicEntry& entry() {
                    {.name = "all_three",
                     .tell = tell_three,
                     .function = "flat",
-                    .unread = {"intensities", "towards"}},
+                    .unread = {"columns", "rows", "intensities", "towards"}},
                    {.name = "vertex_normals",
                     .tell = tell_vertex_normals,
                     .file = "vertex_normals.hpp",

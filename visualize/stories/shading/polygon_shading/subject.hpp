@@ -113,11 +113,10 @@ inline Lamp lamp_of(const Arguments& arguments) {
   return lamp;
 }
 
-/// All there is to shade.
-inline Subject subject_of(const Arguments& arguments) {
+/// All there is to shade, in a picture of this size, with a margin where no window is given; in pixels.
+inline Subject subject_of(const Arguments& arguments, ivec2 size, int margin) {
   Subject subject = mesh_of(arguments);
-  subject.size = {static_cast<int>(arguments.integer("columns")),
-                  static_cast<int>(arguments.integer("rows"))};
+  subject.size = size;
   subject.lamp = lamp_of(arguments);
   for (const Tuple& tuple : arguments.tuples("intensities")) subject.given.push_back(tuple[0].value);
   Extent extent;
@@ -131,7 +130,7 @@ inline Subject subject_of(const Arguments& arguments) {
     refuse(arguments, {"faces"}, "expected a face that looks to +z, from where the picture is seen");
   const std::vector<double> window = arguments.numbers("window");
   if (!window.empty()) extent = {{window[0], window[1]}, {window[2], window[3]}};
-  const dvec2 sides = extent.size() / dvec2(window.empty() ? subject.size - 2 : subject.size);
+  const dvec2 sides = extent.size() / dvec2(window.empty() ? subject.size - 2 * margin : subject.size);
   subject.pixel = std::max(sides.x, sides.y);
   if (!(subject.pixel > 0)) refuse(arguments, {"window"}, "expected a window with an inside");
   subject.lower = extent.centre() - 0.5 * subject.pixel * dvec2(subject.size);
@@ -141,6 +140,12 @@ inline Subject subject_of(const Arguments& arguments) {
       refuse(arguments, {"window", "faces"}, fmt::format("expected all corners within {} pixels", farthest));
   }
   return subject;
+}
+
+inline Subject subject_of(const Arguments& arguments) {
+  return subject_of(
+      arguments,
+      {static_cast<int>(arguments.integer("columns")), static_cast<int>(arguments.integer("rows"))}, 1);
 }
 
 /// A shaded picture: the intensities of its pixels.
