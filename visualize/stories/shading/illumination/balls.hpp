@@ -45,7 +45,8 @@ inline void lay_paper(Narrator& narrator, int width, int height) {
 
 class Balls {
  public:
-  static constexpr int side = 54;  ///< of a picture, in cells
+  static constexpr int side = 54;          ///< of a picture, in cells
+  static constexpr int pixels = 3 * side;  ///< of a picture, either way
   static constexpr std::size_t count = 4;
 
   /// parts(normal): ambient, scattered and highlight. left: what the drawing has there.
@@ -58,39 +59,39 @@ class Balls {
     right = unit_vector(right);
     const dvec3 up = glm::cross(towards, right);
     if (glm::dot(subject.normal, towards) > 0)
-      own_ = 0.5 * side + radius * dvec2{glm::dot(subject.normal, right), glm::dot(subject.normal, up)};
-    for (auto& picture : pictures_) picture.resize(side * side);
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x) {
-        const dvec2 at = (dvec2{x, y} + 0.5 - 0.5 * side) / radius;
+      own_ =
+          0.5 * side + side * radius * dvec2{glm::dot(subject.normal, right), glm::dot(subject.normal, up)};
+    std::array<Image, count> images;
+    images.fill(Image(pixels, pixels));
+    for (int y = 0; y < pixels; ++y) {
+      for (int x = 0; x < pixels; ++x) {
+        const dvec2 at = (dvec2{x, pixels - 1 - y} + 0.5 - 0.5 * pixels) / (radius * pixels);
         const double part = covered({x, y});
         const dvec2 p = at / std::max(1.0, glm::length(at) / 0.999);
         const dvec3 normal = p.x * right + p.y * up + std::sqrt(1 - glm::dot(p, p)) * towards;
         const std::array<dvec3, count> terms =
             part > 0 ? terms_of(parts(normal)) : std::array<dvec3, count>{};
         for (std::size_t k = 0; k < count; ++k)
-          pictures_[k][static_cast<std::size_t>(y * side + x)] =
-              tone_of(part * terms[k] + (1 - part) * dvec3{ground});
+          images[k][{x, y}] = tone_of(part * terms[k] + (1 - part) * dvec3{ground});
       }
     }
+    for (std::size_t k = 0; k < count; ++k)
+      pictures_[k] = std::make_shared<const Image>(std::move(images[k]));
   }
 
   /// Nothing where the eye is in the place itself.
-  bool empty() const { return pictures_[0].empty(); }
+  bool empty() const { return !pictures_[0]; }
   /// The k-th picture, its lower left cell here. They explain the drawing: among many they are left out.
-  void add(View& view, std::size_t k, ivec2 corner) const {
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x)
-        view.cells.insert_or_assign(
-            {corner.y + y, corner.x + x},
-            CellLook{Role::guide, "", pictures_[k][static_cast<std::size_t>(y * side + x)]});
-    }
+  void add(View& view, const std::string& id, std::size_t k, ivec2 corner) const {
+    const dvec2 lower = dvec2(corner) - 0.5;
+    view.add({id, Role::guide, Picture{lower, lower + double(side), pictures_[k], true}});
   }
   /// Where a picture shows the normal of the place, in cells from its corner, if it does.
   const std::optional<dvec2>& own() const { return own_; }
 
  private:
-  static constexpr double radius = 0.46 * side, ground = 0.04;
+  static constexpr double radius = 0.46;  ///< of a side
+  static constexpr double ground = 0.04;
 
   static std::array<dvec3, count> terms_of(const Parts<double>& parts) {
     std::array<dvec3, count> terms{parts.ambient, parts.diffuse, parts.specular, parts.sum()};
@@ -99,18 +100,18 @@ class Balls {
     }
     return terms;
   }
-  /// How much of a cell the ball covers.
-  static double covered(ivec2 cell) {
+  /// How much of a pixel the ball covers.
+  static double covered(ivec2 pixel) {
     constexpr int parts = 4;
     int inside = 0;
     for (int i = 0; i < parts * parts; ++i) {
-      const dvec2 at = dvec2(cell) + (dvec2{i % parts, i / parts} + 0.5) / double(parts) - 0.5 * side;
-      inside += glm::dot(at, at) < radius * radius;
+      const dvec2 at = dvec2(pixel) + (dvec2{i % parts, i / parts} + 0.5) / double(parts) - 0.5 * pixels;
+      inside += length_of(at) < radius * pixels;
     }
     return inside / double(parts * parts);
   }
 
-  std::array<std::vector<Rgba8>, count> pictures_{};
+  std::array<std::shared_ptr<const Image>, count> pictures_{};
   std::optional<dvec2> own_{};
 };
 

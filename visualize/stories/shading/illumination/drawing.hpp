@@ -90,7 +90,7 @@ class PlaceDrawing {
     view = in_cells(std::move(view));
     for (std::size_t k = 0; k < Balls::count; ++k) {
       const ivec2 corner(dvec2{pitch * static_cast<double>(k) * cells_of_unit, 0});
-      balls.add(view, k, corner);
+      balls.add(view, fmt::format("x ball {} picture", k), k, corner);
       if (!balls.own()) continue;
       Path ring{{}, true, false, true};
       for (int i = 0; i < 24; ++i)

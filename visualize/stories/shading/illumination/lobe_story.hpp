@@ -68,7 +68,8 @@ class LobeStory : public Past<steps::Started, LobeDrawn, steps::Finished> {
            Text{{left(i) + side / 2 - 0.5, side + 0.4}, "n = " + figure_real(all<LobeDrawn>()[i].exponent)}});
     view = in_cells(std::move(view));
     for (std::size_t i = 0; i < drawn; ++i)
-      balls_[i].add(view, Balls::count - 1, ivec2(dvec2{left(i) * cells_of_unit, 0}));
+      balls_[i].add(view, fmt::format("x ball {} picture", i), Balls::count - 1,
+                    ivec2(dvec2{left(i) * cells_of_unit, 0}));
     return view;
   }
 

@@ -17,7 +17,8 @@ struct PictureLit {
 /// What there is to see.
 class Room {
  public:
-  static constexpr int columns = 50, rows = 28;
+  static constexpr int fine = 8;  ///< pixels a cell of the drawing
+  static constexpr int columns = 50 * fine, rows = 28 * fine;
 
   struct Hit {
     double t;
@@ -140,8 +141,12 @@ inline void tell_lights(Narrator& narrator) {
   narrator.legend({{Role::past, "waiting"}});
   std::vector<std::string> names;
   for (const char* kind : picture_kinds) names.push_back(narrator.words().say(fmt::format("kind.{}", kind)));
-  PictureShelf shelf(
-      narrator, {.size = {Room::columns, Room::rows}, .names = names, .row = 2, .heading = 7, .y_up = true});
+  PictureShelf shelf(narrator, {.size = ivec2{Room::columns, Room::rows} / Room::fine,
+                                .names = names,
+                                .row = 2,
+                                .heading = 7,
+                                .y_up = true,
+                                .fine = Room::fine});
   for (std::size_t k = 0; k < names.size(); ++k) shelf.wait(k);
   shelf.start({.text = "room", .words = {{"count", names.size()}}});
   std::vector<Field> results;
