@@ -37,7 +37,7 @@ def test_examples_run():
             check(read(target).startswith((b"<?xml", b"<!DOCTYPE html>")), f"{line} makes what its name says")
             continue
         check(Picture(read(target)).where(lambda p: p != (255, 255, 255)), f"{line} shows something")
-    for name in ("f.png", "spot.png", "why.png"):
+    for name in ("f.png", "pasture.png", "why.png"):
         check(differing(Picture(read(name)), Picture(read(ROOT / "docs/rendering" / name))) <= SHARE,
               f"docs/rendering/{name} is what its command makes")
     overview = gradus("--help").bytes.decode()

@@ -43,7 +43,7 @@ def in_scenes_folder():
 
 
 def test_shipped_scenes():
-    equal(NAMES, ["circular_road", "closed_room", "cornell_box", "spot", "town", "town_at_night", "town_flight", "wide_field"], "what is shipped")
+    equal(NAMES, ["circular_road", "closed_room", "cornell_box", "pasture", "spot", "street", "town", "town_at_night", "town_flight", "wide_field"], "what is shipped")
     for name in NAMES:
         shown = picture(f"{name}.json", "--size", "96x64")
         scene = json.loads((SCENES / f"{name}.json").read_text())
@@ -108,7 +108,8 @@ def test_examples_of_the_page_run():
     check(len(examples) >= 2, examples)
     for line in examples:
         equal(gradus(*line.split()).code, 0, line)
-    check(differing(Picture(read("town.png")), Picture(read(ROOT / "docs/rendering/town.png"))) <= SHARE, "the page's picture")
+    for name in ("street.png", "town.png"):
+        check(differing(Picture(read(name)), Picture(read(ROOT / "docs/rendering" / name))) <= SHARE, f"docs/rendering/{name}")
     scene = json.loads(re.search(r"```json\n(.*?)```", page, re.S)[1])
     check(VALIDATOR.is_valid(scene), "the page's scene is valid")
     write("page.json", json.dumps(scene))

@@ -321,7 +321,8 @@ TEST(SceneFile, NamesHaveNoNul) {
 
 TEST(SceneFile, ShippedScenesAreRead) {
   for (const char* name :
-       {"spot", "cornell_box", "closed_room", "circular_road", "town", "town_flight", "wide_field"}) {
+       {"spot", "pasture", "cornell_box", "closed_room", "circular_road", "street", "town", "town_flight",
+        "wide_field"}) {
     SCOPED_TRACE(name);
     const SceneFile file = load_scene(fmt::format("{}/examples/scenes/{}.json", GRADUS_SOURCE_DIR, name));
     EXPECT_TRUE(file.notes.empty()) << file.notes.front();
