@@ -21,9 +21,9 @@ def path_under(root):
 
 
 def installing_line():
-    """What the readme says to install the library alone."""
-    readme = (project.ROOT / "README.md").read_text(encoding="utf-8")
-    return re.search(r"^cmake --build .* && cmake --install .*$", readme, re.MULTILINE)[0]
+    """What the page says to install the library alone."""
+    page = (project.ROOT / "docs/source.md").read_text(encoding="utf-8")
+    return re.search(r"^cmake --build .* && cmake --install .*$", page, re.MULTILINE)[0]
 
 
 def files_in(prefix):

@@ -59,7 +59,7 @@ class OwnFlags(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
-        # As the README says: topics and core, without what needs more than GLM and fmt
+        # As docs/source.md says: topics and core, without what needs more than GLM and fmt
         shutil.copytree(ALGORITHMS / "core", cls.folder / "core", ignore=lambda *_: NEEDS_MORE)
         for topic in project.topics():
             shutil.copytree(ALGORITHMS / topic.path, cls.folder / topic.path)

@@ -136,11 +136,11 @@ class Topics(unittest.TestCase):
     def test_the_page_on_exact_runs_lists_their_methods(self):
         self.assertEqual(listed_exact_methods(project.ROOT), exact_methods(), "the table of docs/exact.md")
 
-    def test_the_readme_says_which_topics_are_copied_together(self):
+    def test_a_page_says_which_topics_are_copied_together(self):
         for topic in project.topics():
             others = " and ".join(f"`{name}`" for name in topic.depends)
             if others:
-                self.assertIn(f"of `{topic.name}` also {others}", read(project.ROOT, "README.md"))
+                self.assertIn(f"of `{topic.name}` also {others}", read(project.ROOT, "docs/source.md"))
 
     def test_nothing_is_left_to_be_filled_in(self):
         self.none(left_to_fill_in(project.ROOT))

@@ -429,11 +429,12 @@ def put_answers():
         file.write("0,0\n1,0\n2,1\n3,1\n4,2\n5,2\n6,3\n7,3\n")
 
 
-def test_commands_of_the_readme():
+def test_commands_of_the_readme_and_of_its_page():
     put_a_lecture()
     put_answers()
     shutil.copytree(SOURCE / "examples/models", "examples/models")
-    blocks = re.findall(r"^```\n(.*?)^```", (SOURCE / "README.md").read_text(), re.M | re.S)
+    pages = "".join((SOURCE / page).read_text() for page in ("README.md", "docs/commands.md"))
+    blocks = re.findall(r"^```\n(.*?)^```", pages, re.M | re.S)
     commands = [re.split(r"\s{2,}#", line)[0].strip() for block in blocks for line in block.splitlines() if line.startswith("gradus ")]
     commands_run(commands)
 
