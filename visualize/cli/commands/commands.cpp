@@ -315,8 +315,8 @@ std::vector<Command> all_commands() {
               "prints instead why the pixel in this column and row is what it is, from 0,0 at the upper "
               "left; with -o draws it: SVG, PNG or PDF"},
              force}}),
-       {"gradus render letter_f.obj -o f.png", "gradus render town.json -o town.png",
-        "gradus render spot.obj -o spot.png --eye=-1.5,1.2,-2.7",
+       {"gradus render letter_f.obj -o f.png", "gradus render street.json -o street.png",
+        "gradus render pasture.json -o pasture.png",
         "gradus render letter_f.obj -o wide.png --size 640x360 --fov 90",
         "gradus render spot.obj -o lamp.png --eye=-3,1,0 --light=-2,2,-2 --background "
         "'#202830'",
