@@ -22,7 +22,7 @@ def test_figures():
     slugs = sorted({name.split("/")[0] for name in made if "/" in name} - {"topics"})
     check(len(slugs) >= 2 and "bresenham_line" in slugs, f"figures: {slugs}")
     rendered = [slug for slug in slugs if any(name.startswith(f"{slug}/") and name.endswith(".obj") for name in made)]
-    equal(len(rendered), 6, f"renders: {rendered}")
+    equal(len(rendered), 7, f"renders: {rendered}")
     drawn = [slug for slug in slugs if slug not in rendered]
     for slug in drawn:
         for ending in (".pdf", ".svg", ".png", "-drawing.svg", ".html", ".csv", ".json", "-steps.zip"):

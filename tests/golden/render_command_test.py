@@ -37,7 +37,7 @@ def test_examples_run():
             check(read(target).startswith((b"<?xml", b"<!DOCTYPE html>")), f"{line} makes what its name says")
             continue
         check(Picture(read(target)).where(lambda p: p != (255, 255, 255)), f"{line} shows something")
-    for name in ("f.png", "pasture.png", "why.png"):
+    for name in ("f.png", "pasture.png", "koala.png", "why.png"):
         check(differing(Picture(read(name)), Picture(read(ROOT / "docs/rendering" / name))) <= SHARE,
               f"docs/rendering/{name} is what its command makes")
     overview = gradus("--help").bytes.decode()
@@ -277,7 +277,7 @@ def test_files_that_files_name():
 
 def test_models_by_name():
     """The models that come with the program need no path, wherever one works; a file of that name goes before them."""
-    for name, words in {"letter_f.obj": [], "letter_f": [], "spot.obj": ["--eye=-1.5,1.2,-2.7"], "room": []}.items():
+    for name, words in {"letter_f.obj": [], "letter_f": [], "spot.obj": ["--eye=-1.5,1.2,-2.7"], "koala.obj": [], "room": []}.items():
         equal(gradus("render", name, "-o", "a.png", "-q", "--size", "40x30", *words).code, 0, name)
         gradus("render", str(MODELS / (name.split(".")[0] + ".obj")), "-o", "b.png", "-q", "--size", "40x30", *words)
         equal(Picture(read("a.png")).pixels, Picture(read("b.png")).pixels, name)

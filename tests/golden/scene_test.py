@@ -43,7 +43,7 @@ def in_scenes_folder():
 
 
 def test_shipped_scenes():
-    equal(NAMES, ["circular_road", "closed_room", "cornell_box", "pasture", "spot", "street", "town", "town_at_night", "town_flight", "wide_field"], "what is shipped")
+    equal(NAMES, ["circular_road", "closed_room", "cornell_box", "koala", "pasture", "spot", "street", "town", "town_at_night", "town_flight", "wide_field"], "what is shipped")
     for name in NAMES:
         shown = picture(f"{name}.json", "--size", "96x64")
         scene = json.loads((SCENES / f"{name}.json").read_text())

@@ -320,8 +320,8 @@ TEST(SceneFile, NamesHaveNoNul) {
 }
 
 TEST(SceneFile, ShippedScenesAreRead) {
-  for (const char* name : {"spot", "pasture", "cornell_box", "closed_room", "circular_road", "street", "town",
-                           "town_flight", "wide_field"}) {
+  for (const char* name : {"spot", "pasture", "koala", "cornell_box", "closed_room", "circular_road",
+                           "street", "town", "town_flight", "wide_field"}) {
     SCOPED_TRACE(name);
     const SceneFile file = load_scene(fmt::format("{}/examples/scenes/{}.json", GRADUS_SOURCE_DIR, name));
     EXPECT_TRUE(file.notes.empty()) << file.notes.front();
