@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 
 #include "benchmark/report.hpp"
 #include "cairo/cairo_output.hpp"
+#include "cli/command_line/choices.hpp"
 #include "cli/command_line/errors.hpp"
 #include "cli/command_line/guarded.hpp"
 #include "cli/commands/commands.hpp"
@@ -15,6 +17,7 @@
 #include "request/inputs.hpp"
 #include "request/names.hpp"
 #include "stories/point_text.hpp"
+#include "theme/theme.hpp"
 
 namespace gradus::bench {
 namespace {
@@ -54,15 +57,23 @@ double positive(const cli::Request& request, const std::string& flag, double usu
   return number->value;
 }
 
+const Theme& theme_of(const cli::Request& request) {
+  const auto given = request.flags.find("theme");
+  if (given == request.flags.end()) return themes().front();
+  return themes()[choose_value("theme", given->second, cli::choices_of("theme"))];
+}
+
 /// The charts of some findings, as files' names and bytes.
-void draw(const Findings& found, const fs::path& folder, cli::NewFiles& files, cli::Replace replace) {
+void draw(const Findings& found, const Theme& theme, const fs::path& folder, cli::NewFiles& files,
+          cli::Replace replace) {
   const auto draw_one = [&](const std::optional<plot::Chart>& chart, const char* kind) {
     if (!chart) return;
     const Sheet sheet = plot::sheet_of(*chart);
-    const Colophon colophon{chart->title, chart->subtitle, "", ""};
+    const Colophon colophon{chart->title,
+                            chart->subtitle + (chart->advice.empty() ? "" : " · " + chart->advice), "", ""};
     const std::string name = fmt::format("{}-{}", found.subject->topic, kind);
-    files.add((folder / (name + ".svg")).string(), svg_of(sheet, themes().front(), colophon), replace);
-    files.add((folder / (name + ".png")).string(), png_of(sheet, themes().front(), colophon), replace);
+    files.add((folder / (name + ".svg")).string(), svg_of(sheet, theme, colophon), replace);
+    files.add((folder / (name + ".png")).string(), png_of(sheet, theme, colophon), replace);
   };
   draw_one(error_chart(found), "error");
   draw_one(size_chart(found), "size");
@@ -78,8 +89,8 @@ void prepare(const std::string& folder, const std::vector<const Subject*>& wante
   };
   check("bench.json");
   for (const Subject* subject : wanted) {
-    for (const char* kind : {"error.svg", "error.png", "size.svg", "size.png"}) {
-      check(fmt::format("{}-{}", subject->topic, kind));
+    for (const char* kind : {"error", "size", "refined"}) {
+      for (const char* form : {"svg", "png"}) check(fmt::format("{}-{}.{}", subject->topic, kind, form));
     }
   }
 }
@@ -99,33 +110,68 @@ Findings duels_of(const Subject& subject, const Effort& effort, const cli::Reque
   return found;
 }
 
+/// Measures a subject's methods.
+Findings methods_of(const Subject& subject, const Effort& effort, const cli::Request& request) {
+  std::vector<Case> cases = subject.cases();
+  cli::Progress progress(cases.size() * static_cast<std::size_t>(effort.repetitions), request.quiet());
+  std::size_t done = 0;
+  return {&subject, measure(std::move(cases), effort, [&] { progress.finished(done++, ""); })};
+}
+
+/// What a file of an earlier run says of the wanted subjects; of all that it has when none was named.
+std::vector<Findings> saved(const cli::Request& request, const std::vector<const Subject*>& wanted) {
+  for (const char* measuring : {"seconds", "repetitions", "json", "require-peers"}) {
+    if (request.has(measuring))
+      throw UsageError(fmt::format("--{}: nothing is measured with --from", measuring));
+  }
+  const std::string& path = request.flags.at("from");
+  std::vector<Findings> all;
+  try {
+    all = findings_in(cli::read_input(path, "--from"), subjects());
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--from: expected a bench.json of gradus bench, found {} ({})", shown(path),
+                                 error.what()));
+  }
+  if (request.operands.empty()) return all;
+  std::vector<Findings> chosen;
+  for (const Subject* subject : wanted) {
+    const auto found = std::ranges::find(all, subject, &Findings::subject);
+    if (found == all.end())
+      throw UsageError(fmt::format("TOPIC: {} is not in {}", subject->topic, shown(path)));
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
 int bench(const cli::Request& request) {
   const std::vector<const Subject*> wanted = chosen(request);
   Effort effort;
   effort.seconds = positive(request, "seconds", effort.seconds, 60);
   effort.repetitions = static_cast<int>(positive(request, "repetitions", effort.repetitions, 1000));
+  const Theme& theme = theme_of(request);
   // Before hours of measuring could be lost
   const cli::Replace replace = cli::replaces(request.has("force"));
   if (request.has("output")) prepare(request.flags.at("output"), wanted, replace);
+  const auto tell = [&](const Findings& found) {
+    if (!request.has("json")) cli::write_stream(cli::Stream::out, table_of(found) + "\n");
+  };
   std::vector<Findings> all;
-  for (const Subject* subject : wanted) {
-    if (subject->duels) {
-      all.push_back(duels_of(*subject, effort, request));
-      if (!request.has("json")) cli::write_stream(cli::Stream::out, table_of(all.back()) + "\n");
-      continue;
+  if (request.has("from")) {
+    all = saved(request, wanted);
+    std::ranges::for_each(all, tell);
+  } else {
+    for (const Subject* subject : wanted) {
+      all.push_back(subject->duels ? duels_of(*subject, effort, request)
+                                   : methods_of(*subject, effort, request));
+      tell(all.back());
     }
-    std::vector<Case> cases = subject->cases();
-    cli::Progress progress(cases.size() * static_cast<std::size_t>(effort.repetitions), request.quiet());
-    std::size_t done = 0;
-    all.push_back({subject, measure(std::move(cases), effort, [&] { progress.finished(done++, ""); })});
-    if (!request.has("json")) cli::write_stream(cli::Stream::out, table_of(all.back()) + "\n");
   }
   if (request.has("json")) cli::write_stream(cli::Stream::out, json_of(all));
   if (!request.has("output")) return 0;
   const fs::path folder = request.flags.at("output");
   cli::NewFiles files;
-  for (const Findings& found : all) draw(found, folder, files, replace);
-  files.add((folder / "bench.json").string(), json_of(all), replace);
+  for (const Findings& found : all) draw(found, theme, folder, files, replace);
+  if (!request.has("from")) files.add((folder / "bench.json").string(), json_of(all), replace);
   files.commit();
   return 0;
 }

@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <set>
 #include <sstream>
 #include <thread>
+#include <utility>
 
+#include "core/contract.hpp"
 #include "figure/colophon.hpp"
 
 namespace gradus::bench {
@@ -22,20 +23,45 @@ std::string number(double value) {
   return fmt::format("{:.4g}", value);
 }
 
-Role role_of(Standing standing) {
-  switch (standing) {
-    case Standing::taught:
-      return Role::current;
-    case Standing::faulty:
-      return Role::rejected;
-    case Standing::robust:
-      return Role::accepted;
-    case Standing::batch:
-      return Role::candidate;
-    case Standing::peer:
-      return Role::past;
+/// What each method looks like, by its name: the same in all charts of the subject.
+std::map<std::string, plot::Style> styles_of(const Findings& findings) {
+  const Choice& choice = findings.subject->choice;
+  std::vector<std::string> names;
+  std::vector<plot::Kind> kinds;
+  for (const Result& result : findings.results) {
+    const std::string& method = result.of.method;
+    if (std::ranges::find(names, method) != names.end()) continue;
+    names.push_back(method);
+    const bool faulty = result.of.standing == Standing::faulty;
+    kinds.push_back(method == choice.method ? plot::Kind::chosen
+                    : faulty                ? plot::Kind::faulty
+                                            : plot::Kind::usual);
   }
-  return Role::current;
+  expects(choice.method.empty() || std::ranges::find(names, choice.method) != names.end(),
+          "{} has no method {} to choose", findings.subject->topic, choice.method);
+  const std::vector<plot::Style> styles = plot::styles_of(kinds);
+  std::map<std::string, plot::Style> by_name;
+  for (std::size_t i = 0; i < names.size(); ++i) by_name[names[i]] = styles[i];
+  return by_name;
+}
+
+/// A chart with what all charts of a subject say.
+plot::Chart chart_of(const Findings& findings, std::string subtitle) {
+  const Subject& subject = *findings.subject;
+  plot::Chart chart;
+  chart.title = subject.title;
+  chart.subtitle = std::move(subtitle);
+  if (!subject.choice.method.empty()) {
+    chart.advice = fmt::format("Choose {}: {}.", subject.choice.method, subject.choice.why);
+    expects(plot::has_room_for(chart.advice), "no room for '{}'", chart.advice);
+  }
+  chart.footer = findings.machine;
+  return chart;
+}
+
+/// "a pixel", "an edge".
+std::string one(const std::string& item) {
+  return (std::string_view("aeiou").find(item.front()) != std::string_view::npos ? "an " : "a ") + item;
 }
 
 /// The workloads in the order in which they come.
@@ -49,15 +75,13 @@ std::vector<std::string> workloads_of(const Findings& findings) {
   return names;
 }
 
-std::vector<std::pair<Role, std::string>> legend_of(std::span<const Result> results) {
-  std::vector<std::pair<Role, std::string>> legend;
-  for (const Standing standing :
-       {Standing::taught, Standing::robust, Standing::batch, Standing::peer, Standing::faulty}) {
-    if (std::ranges::any_of(results, [&](const Result& r) { return r.of.standing == standing; })) {
-      legend.push_back({role_of(standing), std::string(name_of(standing))});
-    }
-  }
-  return legend;
+/// The curve of a method, a new one where there is none yet.
+plot::Curve& curve_of(plot::Chart& chart, const std::string& method,
+                      const std::map<std::string, plot::Style>& styles) {
+  const auto curve = std::ranges::find(chart.curves, method, &plot::Curve::name);
+  if (curve != chart.curves.end()) return *curve;
+  chart.curves.push_back({method, {}, styles.at(method)});
+  return chart.curves.back();
 }
 
 bool beats(const Result& a, const Result& b) {
@@ -82,7 +106,7 @@ std::string duels_table(const Findings& findings) {
   return text;
 }
 
-benchmark::BenchmarkReporter::Run run_of(const Subject& subject, const Duel& duel) {
+benchmark::BenchmarkReporter::Run run_of(const Subject& subject, const Duel& duel, const std::string& peer) {
   using Run = benchmark::BenchmarkReporter::Run;
   Run run;
   run.run_name.function_name = fmt::format("{}/{}", subject.topic, duel.workload);
@@ -94,6 +118,7 @@ benchmark::BenchmarkReporter::Run run_of(const Subject& subject, const Duel& due
   run.iterations = 1;
   run.real_accumulated_time = run.cpu_accumulated_time = 1e-3 * duel.ms;
   run.time_unit = benchmark::kMillisecond;
+  run.report_label = peer;
   run.counters["ms"] = duel.ms;
   if (!duel.peer_ms) return run;
   run.counters["peer_ms"] = *duel.peer_ms;
@@ -147,7 +172,7 @@ std::string json_of(std::span<const Findings> findings) {
   using Run = benchmark::BenchmarkReporter::Run;
   std::vector<Run> runs;
   for (const Findings& found : findings) {
-    for (const Duel& duel : found.duels) runs.push_back(run_of(*found.subject, duel));
+    for (const Duel& duel : found.duels) runs.push_back(run_of(*found.subject, duel, found.peer));
     for (const Result& result : found.results) {
       Run run;
       run.run_name.function_name =
@@ -162,6 +187,7 @@ std::string json_of(std::span<const Findings> findings) {
       run.cpu_accumulated_time = 1e-9 * result.cpu_nanoseconds;
       run.time_unit = benchmark::kNanosecond;
       run.report_label = std::string(name_of(result.of.standing));
+      run.counters["items"] = static_cast<double>(result.of.items);
       run.counters["items_per_second"] = 1e9 / result.nanoseconds;
       run.counters["spread"] = result.spread;
       if (result.of.workload.size > 0) run.counters["size"] = result.of.workload.size;
@@ -176,6 +202,7 @@ std::string json_of(std::span<const Findings> findings) {
   // By this a file is known as ours
   [[maybe_unused]] static const bool marked = [] {
     benchmark::AddCustomContext("gradus", std::string(release_version));
+    benchmark::AddCustomContext("machine", machine());
     return true;
   }();
   std::ostringstream text;
@@ -196,53 +223,41 @@ std::optional<plot::Chart> error_chart(const Findings& findings) {
   }
   if (compared.empty()) return std::nullopt;
   const std::vector<bool> best = pareto_optimal(compared);
-  plot::Chart chart;
-  chart.title = subject.title;
-  chart.subtitle = fmt::format("{} · worst error against time per {}, less is better in both",
-                               subject.telling, subject.item);
-  chart.x = {fmt::format("nanoseconds per {}", subject.item)};
-  chart.y = {fmt::format("worst error in {}", subject.unit), "0"};
+  const auto styles = styles_of(findings);
+  plot::Chart chart = chart_of(
+      findings,
+      fmt::format("{} · low and left is better; no method beats a ringed one in both", subject.telling));
+  chart.x = {fmt::format("time {}, in ns", one(subject.item))};
+  chart.y = {fmt::format("worst error, in {}", subject.unit), "0"};
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const Case& of = compared[i].of;
     std::string name = of.method;
-    if (of.error->wrong > 0) name += fmt::format(", {} wrong", of.error->wrong);
-    chart.dots.push_back({name, {compared[i].nanoseconds, of.error->max}, role_of(of.standing), best[i]});
+    if (of.error->wrong > 0) name += fmt::format(", {} wrong", fmt::group_digits(of.error->wrong));
+    chart.dots.push_back({name, {compared[i].nanoseconds, of.error->max}, styles.at(of.method), best[i]});
   }
-  chart.legend = legend_of(compared);
-  chart.footer = machine();
   return chart;
 }
 
 std::optional<plot::Chart> size_chart(const Findings& findings) {
   const Subject& subject = *findings.subject;
+  const auto styles = styles_of(findings);
+  plot::Chart chart =
+      chart_of(findings, "time against size · slope 1: in proportion, slope 2: as its square");
   // By method; a run is what takes longer as the size grows
-  std::vector<plot::Curve> curves;
-  std::vector<Result> shown;
   for (const Result& result : findings.results) {
-    if (result.of.workload.size <= 0) continue;
-    shown.push_back(result);
-    auto curve = std::ranges::find(curves, result.of.method, &plot::Curve::name);
-    if (curve == curves.end()) {
-      curves.push_back({result.of.method, {}, role_of(result.of.standing)});
-      curve = curves.end() - 1;
-    }
-    curve->points.push_back(
-        {result.of.workload.size, result.nanoseconds * static_cast<double>(result.of.items) * 1e-3});
+    const Case& of = result.of;
+    if (of.workload.size <= 0) continue;
+    curve_of(chart, of.method, styles)
+        .points.push_back({of.workload.size, result.nanoseconds * static_cast<double>(of.items) * 1e-3});
   }
-  if (curves.empty()) return std::nullopt;
-  for (plot::Curve& curve : curves) {
+  if (chart.curves.empty()) return std::nullopt;
+  for (plot::Curve& curve : chart.curves) {
     std::ranges::sort(curve.points, {}, &dvec2::x);
     if (const auto exponent = plot::slope(curve.points))
-      curve.name += fmt::format(", slope {:.2f}", *exponent);
+      curve.name += fmt::format(", slope {}{:.2f}", *exponent <= -0.005 ? "−" : "", std::abs(*exponent));
   }
-  plot::Chart chart;
-  chart.title = subject.title;
-  chart.subtitle = "time against size: slope 1 is time in proportion, 2 its square";
   chart.x = {fmt::format("n: {}", subject.measure)};
-  chart.y = {"microseconds per run"};
-  chart.curves = std::move(curves);
-  chart.legend = legend_of(shown);
-  chart.footer = machine();
+  chart.y = {"time a run, in µs"};
   return chart;
 }
 
@@ -254,31 +269,21 @@ std::optional<plot::Chart> refinement_chart(const Findings& findings) {
     if (result.of.workload.size > 0 && result.of.error && result.of.error->max > 0) series.push_back(result);
   }
   if (series.empty()) return std::nullopt;
-  std::ranges::sort(series, {}, [](const Result& r) { return std::pair(r.of.workload.size, r.of.method); });
-  const double least = series.front().of.workload.size, most = series.back().of.workload.size;
-  plot::Chart chart;
+  std::ranges::sort(series, {}, [](const Result& r) { return r.of.workload.size; });
+  const auto styles = styles_of(findings);
+  plot::Chart chart = chart_of(findings, fmt::format("each line from {} {} to {} · low and left is better",
+                                                     series.front().of.workload.size, subject.measure,
+                                                     series.back().of.workload.size));
+  chart.x = {fmt::format("time {}, in ns", one(subject.item))};
+  chart.y = {fmt::format("worst error, in {}", subject.unit), "0"};
   for (const Result& result : series) {
-    const Case& of = result.of;
-    const dvec2 at{result.nanoseconds, of.error->max};
-    auto curve = std::ranges::find(chart.curves, of.method, &plot::Curve::name);
-    if (curve == chart.curves.end()) {
-      chart.curves.push_back({of.method, {}, role_of(of.standing)});
-      curve = chart.curves.end() - 1;
-    }
-    curve->points.push_back(at);
-    std::string name;
-    if (of.workload.size == least) name = fmt::format("{}, {}", of.method, of.workload.name);
-    if (of.workload.size == most) name = of.workload.name;
-    chart.dots.push_back({name, at, role_of(of.standing)});
+    const dvec2 at{result.nanoseconds, result.of.error->max};
+    curve_of(chart, result.of.method, styles).points.push_back(at);
   }
-  for (plot::Curve& curve : chart.curves) curve.name.clear();
-  chart.title = subject.title;
-  chart.subtitle = fmt::format("worst error against time per {}, from {} {} to {}", subject.item, least,
-                               subject.measure, most);
-  chart.x = {fmt::format("nanoseconds per {}", subject.item)};
-  chart.y = {fmt::format("worst error in {}", subject.unit), "0"};
-  chart.legend = legend_of(series);
-  chart.footer = machine();
+  // Named beside their last points, wherever those are
+  for (plot::Curve& curve : chart.curves) {
+    chart.dots.push_back({std::exchange(curve.name, ""), curve.points.back(), curve.style});
+  }
   return chart;
 }
 

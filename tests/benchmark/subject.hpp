@@ -86,16 +86,23 @@ struct Duel {
   std::optional<double> ratio() const { return peer_ms ? std::optional(ms / *peer_ms) : std::nullopt; }
 };
 
+/// Which method a reader should take, and why.
+struct Choice {
+  std::string method{};
+  std::string why{};  ///< goes on after "Choose METHOD: ", without a full stop
+};
+
 /// A topic's part of the benchmark.
 struct Subject {
   std::string topic;
   std::string title;    ///< of its figures: "Segments against a window"
   std::string item;     ///< what one item is: "segment"
-  std::string unit;     ///< of errors: "ulp"
+  std::string unit;     ///< of errors, as after "worst error, in": "ulp"
   std::string measure;  ///< what the series' sizes count: "length in pixels"; empty: there is no series
   std::string telling;  ///< the workload of the figure of time against error
   std::vector<Case> (*cases)();
   bool refined = false;  ///< the series makes errors smaller: a figure shows what that takes
+  Choice choice{};       ///< marked in the charts; empty where it depends
   /// Measured instead of cases; `told` is called after each. peer: whom they are against, as it calls itself.
   std::vector<Duel> (*duels)(const Effort& effort, const std::function<void()>& told,
                              std::string& peer) = nullptr;

@@ -43,6 +43,31 @@ def test_table_charts_and_json():
     check(wrong["first_octant"] > 0, "first_octant draws wrong pixels in other octants")
 
 
+def test_charts_again_without_measuring():
+    first = gradus("bench", "viewing", "bresenham_line", *QUICK, "-o", "made")
+    again = gradus("bench", "--from", "made/bench.json", "-o", "again")
+    equal((again.code, again.err), (0, ""), "gradus bench --from")
+    equal(again.out, first.out, "its tables")
+    equal(set(os.listdir("again")), set(os.listdir("made")) - {"bench.json"}, "its charts")
+    for name in os.listdir("again"):
+        equal(pathlib.Path("again", name).read_bytes(), pathlib.Path("made", name).read_bytes(), name)
+    check("Choose draw: " in pathlib.Path("again/bresenham_line-error.svg").read_text(), "the method to choose")
+    one = gradus("bench", "viewing", "--from", "made/bench.json", "--theme", "dark", "-o", "dark")
+    equal((one.code, sorted(os.listdir("dark"))),
+          (0, ["viewing-error.png", "viewing-error.svg", "viewing-size.png", "viewing-size.svg"]), "one topic of it")
+    check(pathlib.Path("dark/viewing-error.svg").read_bytes() != pathlib.Path("made/viewing-error.svg").read_bytes(), "in another theme")
+    pathlib.Path("made/bench.json").write_text("{}")
+    for words, message in (
+            (["--json"], "--json: nothing is measured with --from"),
+            (["--seconds", "1"], "--seconds: nothing is measured with --from"),
+            (["--from", "again/none.json"], "--from: "),
+            ([], "--from: expected a bench.json of gradus bench, found 'made/bench.json' ("),
+            (["--theme", "pink"], "--theme: expected one of light, dark, greyscale, high_contrast, print, found 'pink'")):
+        result = gradus("bench", "--from", "made/bench.json", *words)
+        equal((result.code, result.out), (2, ""), " ".join(words))
+        check(result.err.startswith(f"gradus bench: {message}") and result.err.count("\n") == 1, result.err)
+
+
 def test_files_of_others_stay():
     again = ["bench", "viewing", *QUICK, "-o", "made"]
     equal([gradus(*again).code, gradus(*again).code], [0, 0], "over its own files")

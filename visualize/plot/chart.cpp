@@ -9,13 +9,17 @@
 #include "core/contract.hpp"
 #include "figure/layout/layout.hpp"
 #include "figure/text/metrics.hpp"
+#include "plot/names.hpp"
 
 namespace gradus::plot {
 namespace {
 
 using layout::Pen;
 
-constexpr double text_size = 20, title_size = 34, dot_radius = 9;
+constexpr double axis_size = layout::text_size, name_size = 22, advice_size = 24, dot_radius = 9;
+constexpr double widest_marker = 1.35;              ///< times the radius: a diamond
+constexpr double name_height = 26, name_line = 29;  ///< of a name, and from one to the next in a column
+constexpr double names_gap = 52;                    ///< from the curves' ends to that column
 
 /// A logarithmic axis in pixels.
 struct Scale {
@@ -25,7 +29,7 @@ struct Scale {
   double at(double value) const { return from + (std::log10(value) - least) / (most - least) * (to - from); }
 };
 
-/// The powers of ten between which the values lie, at least one apart.
+/// The logarithms between which the values lie, with two powers of ten at least among them.
 std::pair<double, double> decades(const std::vector<double>& values) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double value : values) {
@@ -37,24 +41,31 @@ std::pair<double, double> decades(const std::vector<double>& values) {
   // A little air, so that no point lies on an axis
   least = std::floor(2 * least - 0.2) / 2;
   most = std::ceil(2 * most + 0.2) / 2;
-  return {least, std::max(most, least + 1)};
+  while (std::floor(most) - std::ceil(least) < 1) {
+    if (most - std::floor(most) >= std::ceil(least) - least) {
+      most = std::floor(most) + 1;
+    } else {
+      least = std::ceil(least) - 1;
+    }
+  }
+  return {least, most};
 }
 
-/// "0.001", "1", "1000", beyond "10⁻⁵".
+/// "10⁻⁵".
 std::string power_text(int exponent) {
-  if (exponent >= 0 && exponent <= 3) return fmt::format("{}", std::lround(std::pow(10, exponent)));
-  if (exponent < 0 && exponent >= -3) return fmt::format("{:.{}f}", std::pow(10, exponent), -exponent);
   static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = exponent < 0 ? "10⁻" : "10";
   for (const char digit : fmt::format("{}", std::abs(exponent))) text += digits[digit - '0'];
   return text;
 }
 
-double overlap(const Box& a, const Box& b) {
-  const double width = std::min(a.right(), b.right()) - std::max(a.x, b.x);
-  const double height = std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y);
-  return width > 0 && height > 0 ? width * height : 0;
-}
+/// A point that is named beside it, and how far its marker reaches.
+struct Anchor {
+  std::string name;
+  Style style;
+  dvec2 at;
+  double reach;
+};
 
 /// Draws one chart.
 class Drawing {
@@ -73,7 +84,8 @@ class Drawing {
     draw_curves();
     draw_front();
     draw_dots();
-    draw_footer();
+    name_points();
+    draw_foot();
     return std::move(sheet_);
   }
 
@@ -97,122 +109,162 @@ class Drawing {
       }
     }
     expects(!xs.empty(), "a chart needs a dot or a curve");
-    zeros_ = std::ranges::any_of(chart_.dots, [](const Dot& dot) { return dot.at.y == 0; });
+    zeros_ = std::ranges::count(ys, 0.0) > 0;
+    zeros_alone_ = std::ranges::count(ys, 0.0) == std::ssize(ys);
     // Names of curves stand in a column beside them
     double names = 40 * s_;
-    bool named = false;
     for (const Curve& curve : chart_.curves) {
-      if (curve.name.empty()) continue;
-      named = true;
-      names = std::max(names, text_width(curve.name, Face::sans, text_size * s_) + 90 * s_);
+      last_ = curve.points.empty() ? last_ : std::max(last_, curve.points.back().x);
     }
-    const double left = 120 * s_, right = sheet_.width - names, top = 146 * s_;
-    const double bottom = sheet_.height - 130 * s_;
-    // The row of zeros stands below the axis
-    zero_row_ = bottom - 24 * s_;
-    const double lowest = zeros_ ? bottom - 66 * s_ : bottom;
+    for (const Curve& curve : chart_.curves) {
+      if (!named_in_column(curve)) continue;
+      names = std::max(
+          names, text_width(curve.name, name_face(curve.style), name_size * s_) + (names_gap + 40) * s_);
+    }
+    const double left = 104 * s_, right = sheet_.width - names, top = 142 * s_;
+    const double bottom = sheet_.height - (chart_.advice.empty() ? 116 : 150) * s_;
     place_ = {left, top, right - left, bottom - top};
-    auto [x_least, x_most] = decades(xs);
-    // Curves end at the edge beside which their names stand
-    if (named) x_most = std::log10(*std::ranges::max_element(xs));
+    // The row of zeros stands below the axis
+    zero_row_ = zeros_alone_ ? (top + bottom) / 2 : bottom - 28 * s_;
+    const auto [x_least, x_most] = decades(xs);
     const auto [y_least, y_most] = decades(ys);
     x_ = {x_least, x_most, left, right};
-    y_ = {y_least, y_most, lowest, top};
+    y_ = {y_least, y_most, zeros_ ? zero_rule() : bottom, top};
   }
 
+  double zero_rule() const { return zero_row_ - 34 * s_; }
   dvec2 at(dvec2 p) const { return {x_.at(p.x), p.y == 0 ? zero_row_ : y_.at(p.y)}; }
+  static Face name_face(const Style& style) { return style.chosen ? Face::bold : Face::sans; }
 
-  TextShape text(dvec2 baseline, std::string words, Align align, Paint paint, Face face = Face::sans,
-                 double size = text_size) const {
+  TextShape text(dvec2 baseline, std::string words, Align align, Paint paint, Face face, double size) const {
     return {baseline, std::move(words), face, size * s_, align, paint, true, Paint::of(Tone::paper)};
   }
 
   void draw_title() {
     Pen p = pen(Slot::title);
-    p.text("title",
-           text({40 * s_, 54 * s_}, chart_.title, Align::left, Paint::of(Tone::ink), Face::bold, title_size));
-    p.text("subtitle",
-           text({40 * s_, 88 * s_}, chart_.subtitle, Align::left, Paint::of(Tone::muted), Face::sans, 22));
+    p.text("title", text({40 * s_, 50 * s_}, chart_.title, Align::left, Paint::of(Tone::ink), Face::bold,
+                         layout::title_size));
+    p.text("subtitle", text({40 * s_, 84 * s_}, chart_.subtitle, Align::left, Paint::of(Tone::muted),
+                            Face::sans, name_size));
   }
 
   void draw_axes() {
     Pen p = pen(Slot::drawing);
-    p.rect("place", {.box = place_,
-                     .fill = {},
-                     .stroke = Paint::of(Tone::rule),
-                     .stroke_width = 1.5 * s_,
-                     .hatch_paint = {}});
-    StrokesShape grid{{}, Paint::of(Tone::rule), 1 * s_};
-    for (int e = static_cast<int>(std::ceil(x_.least)); e <= static_cast<int>(std::floor(x_.most)); ++e) {
-      const double x = x_.at(std::pow(10.0, e));
+    const Paint rule = Paint::of(Tone::rule), muted = Paint::of(Tone::muted), ink = Paint::of(Tone::ink);
+    StrokesShape grid{{}, rule, 1 * s_}, ticks{{}, muted, 1.2 * s_};
+    each_power(x_, [&](int e, double x) {
       grid.segments.push_back({{x, place_.y}, {x, place_.bottom()}});
-      p.text(fmt::format("x {}", e),
-             text({x, place_.bottom() + 28 * s_}, power_text(e), Align::centre, Paint::of(Tone::muted)));
-    }
-    const int low = static_cast<int>(std::ceil(y_.least)), high = static_cast<int>(std::floor(y_.most));
-    // A long axis names every other power
-    const int stride = 1 + (high - low) / 9;
-    for (int e = low; e <= high; e += stride) {
-      const double y = y_.at(std::pow(10.0, e));
-      grid.segments.push_back({{place_.x, y}, {place_.right(), y}});
-      p.text(fmt::format("y {}", e),
-             text({place_.x - 10 * s_, y + 7 * s_}, power_text(e), Align::right, Paint::of(Tone::muted)));
+      p.text(fmt::format("x {}", e), text({x, place_.bottom() + 28 * s_}, power_text(e), Align::centre, muted,
+                                          Face::sans, axis_size));
+    });
+    each_tick(x_, [&](double x, double length) {
+      ticks.segments.push_back({{x, place_.bottom()}, {x, place_.bottom() - length}});
+    });
+    if (!zeros_alone_) {
+      each_power(y_, [&](int e, double y) {
+        grid.segments.push_back({{place_.x, y}, {place_.right(), y}});
+        p.text(fmt::format("y {}", e), text({place_.x - 12 * s_, y + 7 * s_}, power_text(e), Align::right,
+                                            muted, Face::sans, axis_size));
+      });
+      each_tick(y_, [&](double y, double length) {
+        ticks.segments.push_back({{place_.x, y}, {place_.x + length, y}});
+      });
     }
     if (zeros_) {
-      const double y = zero_row_ - 24 * s_;
-      p.line("zeros", {{{place_.x, y}, {place_.right(), y}}, Paint::of(Tone::muted), 1.5 * s_});
-      p.text("zero", text({place_.x - 10 * s_, zero_row_ + 7 * s_}, chart_.y.zero, Align::right,
-                          Paint::of(Tone::muted)));
+      if (!zeros_alone_)
+        p.line("zeros", {{{place_.x, zero_rule()}, {place_.right(), zero_rule()}}, muted, 1.5 * s_});
+      p.text("zero", text({place_.x - 12 * s_, zero_row_ + 7 * s_}, chart_.y.zero, Align::right, muted,
+                          Face::sans, axis_size));
     }
     p.strokes("grid", std::move(grid));
-    p.text("x axis", text({place_.right(), place_.bottom() + 60 * s_}, chart_.x.label, Align::right,
-                          Paint::of(Tone::ink), Face::bold));
-    p.text("y axis", text({40 * s_, place_.y - 24 * s_}, chart_.y.label, Align::left, Paint::of(Tone::ink),
-                          Face::bold));
+    p.strokes("ticks", std::move(ticks));
+    p.rect("place",
+           {.box = place_, .fill = {}, .stroke = muted, .stroke_width = 1.5 * s_, .hatch_paint = {}});
+    p.text("x axis", text({place_.right(), place_.bottom() + 60 * s_}, chart_.x.label, Align::right, ink,
+                          Face::bold, axis_size));
+    p.text("y axis",
+           text({40 * s_, place_.y - 20 * s_}, chart_.y.label, Align::left, ink, Face::bold, axis_size));
+  }
+
+  /// The powers of ten that get a line and a number: of a long axis every other one, or fewer.
+  template <class F>
+  static void each_power(const Scale& scale, F&& power) {
+    const int low = static_cast<int>(std::ceil(scale.least)), high = static_cast<int>(std::floor(scale.most));
+    for (int e = low; e <= high; e += 1 + (high - low) / 9) power(e, scale.at(std::pow(10.0, e)));
+  }
+
+  /// 2 to 9 times a power, by which a logarithmic axis is known; a long one has no room for them.
+  template <class F>
+  void each_tick(const Scale& scale, F&& tick) const {
+    if (scale.most - scale.least > 7) return;
+    for (int e = static_cast<int>(std::floor(scale.least)); e < scale.most; ++e) {
+      for (int k = 2; k <= 9; ++k) {
+        const double power = e + std::log10(k);
+        if (power <= scale.least || power >= scale.most) continue;
+        tick(scale.at(std::pow(10.0, power)), (k == 5 ? 9 : 6) * s_);
+      }
+    }
   }
 
   void draw_curves() {
     Pen p = pen(Slot::drawing);
-    for (const Curve& curve : chart_.curves) {
-      LineShape line{{}, Paint::mark(curve.role), 3 * s_, curve.role == Role::rejected};
-      for (const dvec2 point : curve.points) line.points.push_back(at(point));
+    for (const Curve* curve : chosen_last(chart_.curves)) {
+      const Style& style = curve->style;
+      LineShape line{{}, Paint::mark(style.role), (style.chosen ? 6 : 3) * s_, is_dashed(style)};
+      for (const dvec2 point : curve->points) line.points.push_back(at(point));
       for (std::size_t i = 1; i < line.points.size(); ++i)
         strokes_.push_back({line.points[i - 1], line.points[i]});
+      p.line("curve " + curve->name, line);
       for (const dvec2 point : line.points) {
-        draw_marker(p, "point " + curve.name, curve.role, point, 6 * s_);
+        draw_marker(p, "point " + curve->name, style, point, 7 * s_);
+        taken_.push_back(box_round(point, 7 * s_));
       }
-      p.line("curve " + curve.name, std::move(line));
     }
     name_curves();
   }
 
+  static Box box_round(dvec2 at, double reach) { return {at.x - reach, at.y - reach, 2 * reach, 2 * reach}; }
+
+  static bool is_dashed(const Style& style) { return style.open || style.marker == Marker::cross; }
+
+  /// What shall be seen best is drawn over the others.
+  template <class T>
+  static std::vector<const T*> chosen_last(const std::vector<T>& all) {
+    std::vector<const T*> order;
+    for (const T& one : all) order.push_back(&one);
+    std::ranges::stable_sort(order, {}, [](const T* one) { return one->style.chosen; });
+    return order;
+  }
+
+  /// A curve that ends before others do, or is but a point, is named where it ends.
+  bool named_in_column(const Curve& curve) const {
+    return !curve.name.empty() && curve.points.size() > 1 && curve.points.back().x == last_;
+  }
+
   /// The names beside the curves' ends, moved apart, in the ends' order.
   void name_curves() {
-    struct Name {
-      const Curve* curve;
-      dvec2 end;
-      double y;
-    };
-    std::vector<Name> names;
+    std::vector<const Curve*> named;
     for (const Curve& curve : chart_.curves) {
-      if (!curve.points.empty() && !curve.name.empty())
-        names.push_back({&curve, at(curve.points.back()), at(curve.points.back()).y});
+      if (named_in_column(curve)) {
+        named.push_back(&curve);
+      } else if (!curve.name.empty() && !curve.points.empty()) {
+        anchors_.push_back({curve.name, curve.style, at(curve.points.back()), widest_marker * 7 * s_});
+      }
     }
-    std::ranges::sort(names, {}, &Name::y);
-    const double line = 28 * s_;
-    for (std::size_t i = 1; i < names.size(); ++i) names[i].y = std::max(names[i].y, names[i - 1].y + line);
-    // What went too far down goes up again
-    double lowest = place_.bottom();
-    for (std::size_t i = names.size(); i-- > 0; lowest = names[i].y - line) {
-      names[i].y = std::min(names[i].y, lowest);
-    }
+    const auto end_of = [&](const Curve* curve) { return at(curve->points.back()).y; };
+    std::ranges::sort(named, {}, end_of);
+    std::vector<double> wanted;
+    for (const Curve* curve : named) wanted.push_back(end_of(curve));
+    const std::vector<double> rows =
+        moved_apart(wanted, name_line * s_, place_.y + 8 * s_, place_.bottom() - 8 * s_);
     Pen p = pen(Slot::drawing);
-    for (const Name& name : names) {
-      const double x = place_.right() + 60 * s_;
-      const Paint paint = Paint::text(name.curve->role);
-      p.line("leader " + name.curve->name,
-             {{name.end + dvec2(8 * s_, 0), dvec2(x - 8 * s_, name.y)}, paint, 1.4 * s_});
-      p.text("name " + name.curve->name, text({x, name.y + 7 * s_}, name.curve->name, Align::left, paint));
+    const double x = place_.right() + names_gap * s_;
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      const Style& style = named[i]->style;
+      const dvec2 from = at(named[i]->points.back()) + dvec2(12 * s_, 0), to{x - 8 * s_, rows[i]};
+      p.line("leader " + named[i]->name, {{from, to}, Paint::mark(style.role), 1.4 * s_});
+      p.text("name " + named[i]->name, text({x, rows[i] + 8 * s_}, named[i]->name, Align::left,
+                                            Paint::text(style.role), name_face(style), name_size));
     }
   }
 
@@ -236,111 +288,90 @@ class Drawing {
 
   void draw_dots() {
     Pen p = pen(Slot::drawing);
-    for (const Dot& dot : chart_.dots) {
-      const dvec2 centre = at(dot.at);
-      const double r = (dot_radius + (dot.on_front ? 7 : 0)) * s_;
-      taken_.push_back({centre.x - r, centre.y - r, 2 * r, 2 * r});
-    }
-    for (const Dot& dot : chart_.dots) {
-      const dvec2 centre = at(dot.at);
-      if (dot.on_front)
-        p.disc("front " + dot.name, {centre, (dot_radius + 5) * s_, {}, Paint::mark(dot.role), 2.5 * s_});
-      draw_marker(p, "dot " + dot.name, dot.role, centre, dot_radius * s_);
-    }
-    for (const Dot& dot : chart_.dots) {
-      if (!dot.name.empty()) place_label(dot.name, at(dot.at), dot.role);
+    for (const Dot* dot : chosen_last(chart_.dots)) {
+      const dvec2 centre = at(dot->at);
+      const double ring = (dot_radius + (dot->style.chosen ? 9 : 6)) * s_;
+      if (dot->on_front)
+        p.disc("front " + dot->name, {centre, ring, {}, Paint::mark(dot->style.role), 2.5 * s_});
+      draw_marker(p, "dot " + dot->name, dot->style, centre, dot_radius * s_);
+      const double reach = dot->on_front ? ring + 2 * s_ : widest_marker * dot_radius * s_;
+      taken_.push_back(box_round(centre, reach));
+      if (!dot->name.empty()) anchors_.push_back({dot->name, dot->style, centre, reach});
     }
   }
 
-  /// Shapes beside colours: a cross for what is wrong, a square for others' programs, a diamond for speed.
-  void draw_marker(Pen& p, const std::string& id, Role role, dvec2 at, double r) const {
-    const Paint paint = Paint::mark(role);
-    if (role == Role::rejected) {
-      p.strokes(id, {{{at - dvec2(r, r), at + dvec2(r, r)}, {at - dvec2(r, -r), at + dvec2(r, -r)}},
-                     paint,
-                     4 * s_,
-                     true});
-    } else if (role == Role::past) {
-      p.rect(id, {.box = {at.x - r, at.y - r, 2 * r, 2 * r},
-                  .fill = paint,
-                  .stroke = {},
-                  .stroke_width = 0,
-                  .hatch_paint = {}});
-    } else if (role == Role::candidate) {
-      const double d = 1.3 * r;
-      p.area(id, {{{at - dvec2(d, 0), at - dvec2(0, d), at + dvec2(d, 0), at + dvec2(0, d)}}, paint, {}, {}});
-    } else {
-      p.disc(id, {at, r, paint, {}, 0});
+  /// Shapes beside colours, with a rim by which those that overlap come apart: a cross for what is wrong, a
+  /// larger disc for what to take.
+  void draw_marker(Pen& p, const std::string& id, const Style& style, dvec2 at, double r) const {
+    const Paint mark = Paint::mark(style.role), paper = Paint::of(Tone::paper);
+    const Paint fill = style.open ? paper : mark, rim = style.open ? mark : paper;
+    const double edge = (style.open ? 3 : 1.5) * s_, d = widest_marker * r;
+    if (style.chosen) r *= 1.3;
+    const auto corners = [&](std::vector<dvec2> ring) {
+      for (dvec2& corner : ring) corner = at + d * corner;
+      p.area(id, {{ring}, fill, {}, {}});
+      p.line(id + " rim", {std::move(ring), rim, edge, false, true});
+    };
+    switch (style.marker) {
+      case Marker::disc:
+        return p.disc(id, {at, r, fill, rim, edge});
+      case Marker::square:
+        return p.rect(id, {.box = {at.x - r, at.y - r, 2 * r, 2 * r},
+                           .fill = fill,
+                           .stroke = rim,
+                           .stroke_width = edge,
+                           .hatch_paint = {}});
+      case Marker::diamond:
+        return corners({{-1, 0}, {0, -1}, {1, 0}, {0, 1}});
+      case Marker::triangle:
+        return corners({{-1, 0.8}, {0, -1.1}, {1, 0.8}});
+      case Marker::cross:
+        return p.strokes(id, {{{at - dvec2(r, r), at + dvec2(r, r)}, {at - dvec2(r, -r), at + dvec2(r, -r)}},
+                              mark,
+                              4 * s_,
+                              true});
     }
   }
 
-  /// The name beside its point, where it covers least; with a leader when that is far away.
-  void place_label(const std::string& name, dvec2 anchor, Role role) {
-    const double width = text_width(name, Face::sans, text_size * s_), height = 24 * s_;
-    double least = std::numeric_limits<double>::infinity();
-    Box best;
-    double best_distance = 0;
-    for (const double distance : {18.0, 44.0, 76.0, 112.0}) {
-      for (const auto& [dx, dy] : {std::pair{1.0, 0.0},
-                                   {-1.0, 0.0},
-                                   {1.0, -1.0},
-                                   {1.0, 1.0},
-                                   {-1.0, -1.0},
-                                   {-1.0, 1.0},
-                                   {0.0, -1.0},
-                                   {0.0, 1.0}}) {
-        const Box box{anchor.x + dx * distance * s_ -
-                          (dx < 0   ? width
-                           : dx > 0 ? 0
-                                    : width / 2),
-                      anchor.y + dy * distance * s_ - height / 2, width, height};
-        if (box.x < place_.x || box.right() > place_.right() || box.y < place_.y ||
-            box.bottom() > place_.bottom())
-          continue;
-        const Box with_air{box.x - 12 * s_, box.y - 4 * s_, box.width + 24 * s_, box.height + 8 * s_};
-        double cost = distance;
-        for (const Box& label : labels_) cost += overlap(with_air, label) > 0 ? 10000 : 0;
-        for (const Box& dot : taken_) cost += overlap(box, dot) > 0 ? 1500 : 0;
-        for (const auto& [a, b] : strokes_) cost += crosses(a, b, box) ? 60 : 0;
-        if (cost >= least) continue;
-        least = cost;
-        best = box;
-        best_distance = distance;
-      }
+  /// The names beside their points, with leaders where those stand close.
+  void name_points() {
+    layout::Obstacles around;
+    around.strokes = strokes_;
+    around.taken = taken_;
+    if (zeros_) around.crowded.push_back({{place_.x, zero_rule() - s_, place_.width, 2 * s_}, 3000});
+    std::vector<NamedPoint> points;
+    for (const Anchor& anchor : anchors_) {
+      const double width = text_width(anchor.name, name_face(anchor.style), name_size * s_);
+      points.push_back({anchor.at, anchor.reach, {width, name_height * s_}});
     }
-    if (!std::isfinite(least)) return;
-    labels_.push_back(best);
+    const Box room = layout::grown(place_, -4 * s_);
+    const std::vector<layout::PlacedLabel> labels = place_names(points, around, room, s_);
+    for (std::size_t i = 0; i < labels.size(); ++i) draw_name(anchors_[i], labels[i]);
+  }
+
+  void draw_name(const Anchor& anchor, const layout::PlacedLabel& label) {
     Pen p = pen(Slot::drawing);
-    if (best_distance > 20) {
-      const dvec2 end{std::clamp(anchor.x, best.x, best.right()),
-                      std::clamp(anchor.y, best.y, best.bottom())};
-      p.line("leader " + name, {{end, anchor}, Paint::text(role), 1.4 * s_});
+    if (label.leader) {
+      const dvec2 way = glm::normalize(label.leader->a - anchor.at);
+      p.line("leader " + anchor.name, {{label.leader->a - way * 3.0 * s_, anchor.at + way * anchor.reach},
+                                       Paint::mark(anchor.style.role),
+                                       1.4 * s_});
     }
-    p.text("name " + name, text({best.x, best.y + 18 * s_}, name, Align::left, Paint::text(role)));
+    p.text("name " + anchor.name, text({label.box.x, label.box.y + 20 * s_}, anchor.name, Align::left,
+                                       Paint::text(anchor.style.role), name_face(anchor.style), name_size));
   }
 
-  static bool crosses(dvec2 a, dvec2 b, const Box& box) {
-    // By samples: enough for a choice between places
-    for (int i = 0; i <= 24; ++i) {
-      const dvec2 p = a + (b - a) * (i / 24.0);
-      if (p.x > box.x && p.x < box.right() && p.y > box.y && p.y < box.bottom()) return true;
-    }
-    return false;
-  }
-
-  void draw_footer() {
-    Pen p = pen(Slot::footer);
-    double x = 40 * s_;
-    const double y = sheet_.height - 24 * s_;
-    for (const auto& [role, words] : chart_.legend) {
-      draw_marker(p, "legend " + words, role, {x + 8 * s_, y - 7 * s_}, 8 * s_);
-      p.text("legend text " + words, text({x + 24 * s_, y}, words, Align::left, Paint::of(Tone::ink)));
-      x += 24 * s_ + text_width(words, Face::sans, text_size * s_) + 28 * s_;
-    }
-    const double room = sheet_.width - 40 * s_ - x;
-    p.text("footer",
-           text({sheet_.width - 40 * s_, y}, elided(chart_.footer, Face::sans, text_size * s_, room),
-                Align::right, Paint::of(Tone::muted)));
+  void draw_foot() {
+    const double width = sheet_.width - 80 * s_;
+    if (!chart_.advice.empty())
+      pen(Slot::sentence)
+          .text("advice", text({40 * s_, sheet_.height - 56 * s_},
+                               elided(chart_.advice, Face::bold, advice_size * s_, width), Align::left,
+                               Paint::text(Role::current), Face::bold, advice_size));
+    pen(Slot::footer)
+        .text("footer", text({sheet_.width - 40 * s_, sheet_.height - 22 * s_},
+                             elided(chart_.footer, Face::sans, axis_size * s_, width), Align::right,
+                             Paint::of(Tone::muted), Face::sans, axis_size));
   }
 
   const Chart& chart_;
@@ -348,40 +379,23 @@ class Drawing {
   Sheet sheet_;
   Box place_;
   Scale x_{}, y_{};
-  bool zeros_ = false;
+  bool zeros_ = false, zeros_alone_ = false;
   double zero_row_ = 0;
-  std::vector<Box> taken_, labels_;
+  double last_ = 0;  ///< the largest x at which a curve ends
+  // What names keep from, and the points that they belong to
   std::vector<Segment<2, double>> strokes_;
+  std::vector<Box> taken_;
+  std::vector<Anchor> anchors_;
 };
 
 }  // namespace
 
+bool has_room_for(std::string_view advice) {
+  return text_width(advice, Face::bold, advice_size) <= 1280 - 80;
+}
+
 Sheet sheet_of(const Chart& chart, double width, double height) {
   return Drawing(chart, width, height).drawn();
-}
-
-std::optional<double> slope(std::span<const dvec2> points) {
-  dvec2 mean{0, 0};
-  for (const dvec2 p : points)
-    mean += dvec2(std::log(p.x), std::log(p.y)) / static_cast<double>(points.size());
-  double across = 0, along = 0;
-  for (const dvec2 p : points) {
-    const dvec2 d = dvec2(std::log(p.x), std::log(p.y)) - mean;
-    across += d.x * d.y;
-    along += d.x * d.x;
-  }
-  return along > 0 ? std::optional(across / along) : std::nullopt;
-}
-
-std::vector<bool> front(std::span<const dvec2> points) {
-  std::vector<bool> kept(points.size(), true);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (const dvec2 other : points) {
-      const bool no_worse = other.x <= points[i].x && other.y <= points[i].y;
-      if (no_worse && (other.x < points[i].x || other.y < points[i].y)) kept[i] = false;
-    }
-  }
-  return kept;
 }
 
 }  // namespace gradus::plot

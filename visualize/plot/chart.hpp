@@ -1,13 +1,12 @@
 #pragma once
 // Charts for slides: points with their names between two logarithmic axes, and lines with their slopes.
 
-#include <optional>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "figure/role.hpp"
 #include "figure/sheet.hpp"
+#include "plot/series.hpp"
 
 namespace gradus::plot {
 
@@ -16,7 +15,7 @@ namespace gradus::plot {
 struct Dot {
   std::string name;
   dvec2 at;
-  Role role = Role::current;
+  Style style{};
   bool on_front = false;  ///< no other is better in both: ringed, and joined to the others on the front
 };
 
@@ -24,7 +23,7 @@ struct Dot {
 struct Curve {
   std::string name;
   std::vector<dvec2> points;
-  Role role = Role::current;
+  Style style{};
 };
 
 struct Axis {
@@ -37,20 +36,16 @@ struct Chart {
   Axis x, y;
   std::vector<Dot> dots{};
   std::vector<Curve> curves{};
-  std::vector<std::pair<Role, std::string>> legend{};
-  std::string footer;
+  std::string advice{};  ///< which method to take, and why: the sentence below
+  std::string footer{};
 };
+
+/// Whether a slide shows the whole advice.
+bool has_room_for(std::string_view advice);
 
 /// The chart laid out; texts no smaller than 1/36 of the height.
 /// Domain: x > 0 and y >= 0 for dots, x, y > 0 for curves, all finite (ContractViolation otherwise); at least
 /// one dot or curve.
 Sheet sheet_of(const Chart& chart, double width = 1280, double height = 720);
-
-/// The exponent b of y = a x^b through some points, by least squares in logarithms; nothing with fewer than
-/// two different x.
-std::optional<double> slope(std::span<const dvec2> points);
-
-/// Which of some points no other beats: none is as good in both and better in one; less is better.
-std::vector<bool> front(std::span<const dvec2> points);
 
 }  // namespace gradus::plot

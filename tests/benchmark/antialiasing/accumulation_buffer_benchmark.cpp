@@ -86,11 +86,12 @@ Subject accumulation_buffer() {
   return {.topic = "accumulation_buffer",
           .title = "Edges in the accumulation buffer",
           .item = "pixel",
-          .unit = "pixel's area",
+          .unit = "parts of a pixel",
           .measure = "passes",
           .telling = "16 passes",
           .cases = cases,
-          .refined = true};
+          .refined = true,
+          .choice = {"accumulate", "off by what its passes are, however many there are"}};
 }
 
 }  // namespace gradus::bench

@@ -120,10 +120,11 @@ Subject area_sampling() {
   return {.topic = "area_sampling",
           .title = "Exact areas of triangles",
           .item = "clip",
-          .unit = "of a pixel's sum",
+          .unit = "parts of a pixel's sum",
           .measure = "pixels a triangle is wide",
           .telling = "medium",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"pixel_areas", "exact for one polygon; where some hide others, visible_areas"}};
 }
 
 }  // namespace gradus::bench

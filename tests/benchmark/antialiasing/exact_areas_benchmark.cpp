@@ -287,7 +287,8 @@ Subject exact_areas() {
           .unit = "steps of a byte",
           .measure = "radius in pixels",
           .telling = "letters",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"AreaScan", "every byte the nearest one, in the least time"}};
 }
 
 }  // namespace gradus::bench

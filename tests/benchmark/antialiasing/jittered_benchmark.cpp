@@ -67,11 +67,12 @@ Subject jittered() {
   return {.topic = "jittered",
           .title = "Patterns of samples on straight edges",
           .item = "sample",
-          .unit = "of the pixel",
+          .unit = "parts of a pixel",
           .measure = "samples per pixel",
           .telling = "16 samples",
           .cases = cases,
-          .refined = true};
+          .refined = true,
+          .choice = {"jittered", "of those without false waves the smallest error for its time"}};
 }
 
 }  // namespace gradus::bench

@@ -90,11 +90,12 @@ Subject poisson_disc() {
   return {.topic = "poisson_disc",
           .title = "Samples that keep their distance",
           .item = "sample",
-          .unit = "of the pixel",
+          .unit = "parts of a pixel",
           .measure = "samples",
           .telling = "about 16 samples",
           .cases = cases,
-          .refined = true};
+          .refined = true,
+          .choice = {"bridson_batch", "the samples of bridson to the bit, in a fraction of its time"}};
 }
 
 }  // namespace gradus::bench

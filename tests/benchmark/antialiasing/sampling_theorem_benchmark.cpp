@@ -79,7 +79,8 @@ Subject sampling_theorem() {
           .unit = "parts of the curve",
           .measure = "samples in a period",
           .telling = "64 samples",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"reconstruction", "the curve itself, to rounding"}};
 }
 
 }  // namespace gradus::bench

@@ -123,11 +123,12 @@ Subject single_edges() {
   return {.topic = "single_edges",
           .title = "Straight edges across a pixel",
           .item = "pixel",
-          .unit = "RMSE, a pixel is 1",
+          .unit = "parts of a pixel (RMS)",
           .measure = "samples per pixel",
           .telling = "16 samples",
           .cases = cases,
-          .refined = true};
+          .refined = true,
+          .choice = {"area_sampling", "exact, where samples only come near"}};
 }
 
 }  // namespace gradus::bench

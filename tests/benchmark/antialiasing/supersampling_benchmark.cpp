@@ -69,11 +69,12 @@ Subject supersampling() {
   return {.topic = "supersampling",
           .title = "Edges with n x n samples per pixel",
           .item = "pixel",
-          .unit = "of the pixel",
+          .unit = "parts of a pixel",
           .measure = "samples per pixel",
           .telling = "4 x 4 samples",
           .cases = cases,
-          .refined = true};
+          .refined = true,
+          .choice = {"supersample", "the bits of large_picture, with a few rows of memory"}};
 }
 
 }  // namespace gradus::bench

@@ -33,7 +33,8 @@ Subject cohen_sutherland_2d() {
           .unit = "ulp",
           .measure = "segments",
           .telling = "crossing, not whole",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"clip_batch", "decided exactly, ends rounded once, in the least time"}};
 }
 
 }  // namespace gradus::bench

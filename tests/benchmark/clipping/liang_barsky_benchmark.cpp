@@ -29,7 +29,8 @@ Subject liang_barsky() {
           .unit = "ulp",
           .measure = "segments",
           .telling = "crossing, not whole",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"correctly_rounded", "decided exactly, and nothing moves when it is clipped again"}};
 }
 
 }  // namespace gradus::bench

@@ -108,7 +108,8 @@ Subject liang_barsky_circle() {
           .unit = "ulp",
           .measure = "segments",
           .telling = "crossing",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"clip_batch", "decided exactly, many times as fast as exact_decision"}};
 }
 
 }  // namespace gradus::bench

@@ -154,7 +154,8 @@ Subject polygon_circle() {
           .unit = "ulp",
           .measure = "corners of a polygon; 100 polygons per run",
           .telling = "crossing",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"arcs", "exact to rounding; chords only for what takes polygons alone"}};
 }
 
 }  // namespace gradus::bench

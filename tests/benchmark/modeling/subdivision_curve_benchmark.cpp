@@ -82,7 +82,8 @@ Subject subdivision_curve() {
           .unit = "lengths",
           .measure = "rounds",
           .telling = "3 rounds",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"limit", "on the curve itself, and no round in between is kept"}};
 }
 
 }  // namespace gradus::bench

@@ -89,7 +89,7 @@ Subject plan() {
   return {.topic = "plan",
           .title = "What a scene does not need",
           .item = "pixel",
-          .unit = "light, white is 1",
+          .unit = "parts of white",
           .telling = "town_at_night",
           .cases = cases};
 }

@@ -67,9 +67,10 @@ Subject render_antialiasing() {
   return {.topic = "render_antialiasing",
           .title = "Rendered pictures, antialiased",
           .item = "pixel",
-          .unit = "RMSE, white is 1",
+          .unit = "parts of white (RMS)",
           .telling = "Spot",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"adaptive 16", "edges as smooth as with samples everywhere, in far less time"}};
 }
 
 }  // namespace gradus::bench

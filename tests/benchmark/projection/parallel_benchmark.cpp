@@ -62,7 +62,8 @@ Subject parallel() {
           .unit = "ulp",
           .measure = "points",
           .telling = "a cube",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"oblique", "for planes z = d; along takes any plane and direction"}};
 }
 
 }  // namespace gradus::bench

@@ -68,7 +68,8 @@ Subject perspective() {
           .unit = "ulp",
           .measure = "points",
           .telling = "near to far",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"transform, divide", "the nearest to the exact points"}};
 }
 
 }  // namespace gradus::bench

@@ -75,7 +75,8 @@ Subject viewing() {
           .unit = "ulp",
           .measure = "cameras",
           .telling = "nearly upwards",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"look_at", "within its bounds for every view, nearly upwards too"}};
 }
 
 }  // namespace gradus::bench

@@ -101,7 +101,8 @@ Subject viewport() {
           .unit = "pixels",
           .measure = "points",
           .telling = "inside and beside",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"rasterize", "every point in its own pixel"}};
 }
 
 }  // namespace gradus::bench

@@ -134,7 +134,8 @@ Subject antialiased_line() {
           .unit = "steps of a byte",
           .measure = "length in pixels",
           .telling = "32 pixels long",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"gupta_sproull", "equally bright in all directions, without the time of exact areas"}};
 }
 
 }  // namespace gradus::bench

@@ -137,7 +137,8 @@ Subject bresenham_circle() {
           .unit = "pixels",
           .measure = "radius; 100 circles per run",
           .telling = "all radii",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"draw", "every pixel the nearest, in the least time"}};
 }
 
 }  // namespace gradus::bench

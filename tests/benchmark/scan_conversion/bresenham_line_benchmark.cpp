@@ -167,7 +167,8 @@ Subject bresenham_line() {
           .unit = "pixels",
           .measure = "pixels of a line; 100 lines per run",
           .telling = "all directions",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"draw", "every pixel the nearest, in the least time"}};
 }
 
 }  // namespace gradus::bench

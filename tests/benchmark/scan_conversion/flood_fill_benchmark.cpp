@@ -167,7 +167,8 @@ Subject flood_fill() {
           .unit = "cells",
           .measure = "cells of the area",
           .telling = "noise 1024",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"fill_area", "rows for few runs, labels for many, whichever is faster"}};
 }
 
 }  // namespace gradus::bench

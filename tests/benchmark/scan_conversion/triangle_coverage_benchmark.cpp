@@ -118,7 +118,8 @@ Subject triangle_coverage() {
           .unit = "hits of a pixel",
           .measure = "pixels a triangle is wide",
           .telling = "medium",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"cover", "every pixel belongs to one triangle, decided exactly"}};
 }
 
 }  // namespace gradus::bench

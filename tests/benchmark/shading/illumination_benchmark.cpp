@@ -124,10 +124,11 @@ Subject illumination() {
   return {.topic = "illumination",
           .title = "Illuminating places",
           .item = "place",
-          .unit = "shares of full light",
+          .unit = "parts of full light",
           .measure = "places",
           .telling = "1024 places",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"phong", "for lamps that are points; an area is a grid of such points"}};
 }
 
 }  // namespace gradus::bench

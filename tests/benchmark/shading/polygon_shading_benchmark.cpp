@@ -123,11 +123,12 @@ Subject polygon_shading() {
   return {.topic = "polygon_shading",
           .title = "Shading a bulge of faces",
           .item = "pixel",
-          .unit = "full light",
+          .unit = "parts of full light",
           .measure = "faces",
           .telling = "64 faces",
           .cases = cases,
-          .refined = true};
+          .refined = true,
+          .choice = {"phong", "highlights stay in place, however large the faces are"}};
 }
 
 }  // namespace gradus::bench

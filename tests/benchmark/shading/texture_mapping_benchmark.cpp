@@ -122,10 +122,11 @@ Subject texture_mapping() {
   return {.topic = "texture_mapping",
           .title = "Texturing a floor",
           .item = "pixel",
-          .unit = "full light",
+          .unit = "parts of full light",
           .measure = "times as far behind as in front",
           .telling = "8 times as far",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"mip_mapped", "no aliases however far away, in the same time everywhere"}};
 }
 
 }  // namespace gradus::bench

@@ -64,7 +64,8 @@ Subject affine_3d() {
           .unit = "ulp",
           .measure = "rotations",
           .telling = "up to a full turn",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"rotation", "the most nearly orthogonal matrix, made once for many points"}};
 }
 
 }  // namespace gradus::bench

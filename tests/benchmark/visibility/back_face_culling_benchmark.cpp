@@ -119,7 +119,8 @@ Subject back_face_culling() {
           .unit = "wrong sides",
           .measure = "triangles",
           .telling = "slivers",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"normal_and_view", "right for every triangle, before any corner is transformed"}};
 }
 
 }  // namespace gradus::bench

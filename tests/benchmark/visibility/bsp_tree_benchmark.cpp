@@ -72,7 +72,8 @@ Subject bsp_tree() {
           .unit = "wrong rays",
           .measure = "triangles",
           .telling = "few large",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"walk alone", "built once, a tree is right from every eye"}};
 }
 
 }  // namespace gradus::bench

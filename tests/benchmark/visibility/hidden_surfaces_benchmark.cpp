@@ -114,7 +114,8 @@ Subject hidden_surfaces() {
           .unit = "parts of the picture",
           .measure = "faces",
           .telling = telling,
-          .cases = cases};
+          .cases = cases,
+          .choice = {"z_buffer, culled", "no wrong pixel, nothing sorted and nothing cut"}};
 }
 
 }  // namespace gradus::bench

@@ -103,7 +103,8 @@ Subject octree_order() {
           .unit = "lengths",
           .measure = "cells",
           .telling = "2752 cells",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"front_to_back", "rays and z-buffers stop early; painters take back_to_front"}};
 }
 
 }  // namespace gradus::bench

@@ -77,7 +77,8 @@ Subject painter() {
           .unit = "wrong rays",
           .measure = "triangles",
           .telling = "few large",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"newell", "right for every eye; it cuts only where no order exists"}};
 }
 
 }  // namespace gradus::bench

@@ -114,7 +114,8 @@ Subject z_buffer() {
           .unit = "units of depth",
           .measure = "covered pixels",
           .telling = "heavy overdraw",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"per_polygon", "no wrong pixel; scanline has its picture with one row of depths"}};
 }
 
 }  // namespace gradus::bench

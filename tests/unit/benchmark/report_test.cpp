@@ -7,8 +7,10 @@
 
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stdexcept>
 #include <thread>
 
+#include "core/contract.hpp"
 #include "core/random.hpp"
 
 namespace gradus::bench {
@@ -27,7 +29,14 @@ Result result(std::string method, Standing standing, Workload workload, double n
   return result;
 }
 
-const Subject subject{"a_topic", "Things done", "thing", "ulp", "things", "mixed", nullptr};
+const Subject subject{.topic = "a_topic",
+                      .title = "Things done",
+                      .item = "thing",
+                      .unit = "ulp",
+                      .measure = "things",
+                      .telling = "mixed",
+                      .cases = nullptr,
+                      .choice = {"slow and right", "it is right"}};
 
 Findings findings() {
   return {&subject,
@@ -125,6 +134,8 @@ TEST(Report, ErrorChartShowsTheTellingWorkload) {
   EXPECT_EQ(chart->dots[1].at, dvec2(10, 8));
   EXPECT_TRUE(chart->dots[0].on_front && chart->dots[1].on_front);
   EXPECT_FALSE(chart->dots[2].on_front);
+  EXPECT_EQ(chart->x.label, "time a thing, in ns");
+  EXPECT_EQ(chart->y.label, "worst error, in ulp");
   Findings without = findings();
   without.results.erase(without.results.begin(), without.results.begin() + 3);
   EXPECT_FALSE(error_chart(without));
@@ -142,6 +153,51 @@ TEST(Report, SizeChartShowsTheSeriesWithItsSlope) {
   EXPECT_FALSE(size_chart(without));
 }
 
+TEST(Report, ChartsMarkTheMethodToChooseAndKeepItsStyle) {
+  const auto errors = error_chart(findings()), sizes = size_chart(findings());
+  EXPECT_EQ(errors->advice, "Choose slow and right: it is right.");
+  EXPECT_EQ(sizes->advice, errors->advice);
+  EXPECT_TRUE(errors->dots[0].style.chosen && sizes->curves[0].style.chosen);
+  EXPECT_EQ(sizes->curves[0].style.role, errors->dots[0].style.role);
+  EXPECT_EQ(errors->dots[1].style.marker, plot::Marker::cross);
+  Subject other = subject;
+  other.choice.method = "nobody's";
+  Findings wrong = findings();
+  wrong.subject = &other;
+  EXPECT_THROW(error_chart(wrong), ContractViolation);
+  other.choice = {"slow and right", std::string(200, 'w')};  // no slide has room for it
+  EXPECT_THROW(error_chart(wrong), ContractViolation);
+}
+
+TEST(Report, FallingTimesHaveANegativeSlope) {
+  Findings falling = findings();
+  falling.results[4].nanoseconds = 4;
+  EXPECT_EQ(size_chart(falling)->curves[0].name, "slow and right, slope −1.00");
+}
+
+TEST(Report, WhatIsSavedIsReadAgain) {
+  const Subject duelling{.topic = "a_drawer", .title = "A picture", .item = "picture"};
+  Findings duels{&duelling, {}};
+  duels.peer = "somebody 1.0";
+  duels.duels = {{"cubes, Phong", 3, 12.0, 7, 42}, {"cubes, Gouraud", 5, std::nullopt}};
+  const std::vector<Findings> all{findings(), duels};
+  const std::vector<Subject> subjects{subject, duelling};
+  const std::vector<Findings> again = findings_in(json_of(all), subjects);
+  ASSERT_EQ(again.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(table_of(again[i]), table_of(all[i]));
+  const auto errors = error_chart(again[0]), sizes = size_chart(again[0]);
+  ASSERT_TRUE(errors && sizes);
+  EXPECT_NEAR(errors->dots[1].at.x, 10, 1e-12);
+  EXPECT_EQ(errors->dots[1].at.y, 8);
+  ASSERT_EQ(sizes->curves[0].points.size(), 2u);
+  EXPECT_NEAR(sizes->curves[0].points[1].y, 40, 1e-12);
+  EXPECT_EQ(errors->footer, machine());
+  for (const char* other : {"", "{", "{}", R"({"context": {"machine": "m"}, "benchmarks": [{}]})",
+                            R"({"context": {"machine": "m"}, "benchmarks": [{"run_name": "a/b/c"}]})"}) {
+    EXPECT_THROW(findings_in(other, subjects), std::invalid_argument) << other;
+  }
+}
+
 TEST(Report, RefinementChartShowsWhatSmallerErrorsTake) {
   Findings finer = findings();
   EXPECT_FALSE(refinement_chart(finer));  // its series promises nothing of errors
@@ -152,10 +208,11 @@ TEST(Report, RefinementChartShowsWhatSmallerErrorsTake) {
   const auto chart = refinement_chart(finer);
   ASSERT_TRUE(chart);
   ASSERT_EQ(chart->curves.size(), 1u);
-  ASSERT_EQ(chart->dots.size(), 2u);
-  EXPECT_EQ(chart->curves[0].points, (std::vector<dvec2>{chart->dots[0].at, chart->dots[1].at}));
-  EXPECT_EQ(chart->dots[1].at.y, 1.0 / 101);
-  EXPECT_TRUE(chart->dots[0].name.starts_with("slow and right, ")) << chart->dots[0].name;
+  EXPECT_EQ(chart->curves[0].points, (std::vector<dvec2>{{40, 1.0 / 11}, {400, 1.0 / 101}}));
+  // Named once, at its end
+  ASSERT_EQ(chart->dots.size(), 1u);
+  EXPECT_EQ(chart->dots[0].name, "slow and right");
+  EXPECT_EQ(chart->dots[0].at, chart->curves[0].points.back());
 }
 
 TEST(Report, ErrorsAddUp) {
