@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <thread>
 #include <utility>
@@ -23,26 +24,47 @@ std::string number(double value) {
   return fmt::format("{:.4g}", value);
 }
 
-/// What each method looks like, by its name: the same in all charts of the subject.
+/// "adaptive" of "adaptive 16": what takes a number of samples, say, is one method with several points.
+std::string without_number(const std::string& method) {
+  const std::size_t digits = method.find_last_not_of("0123456789") + 1;
+  return digits < method.size() && digits > 1 && method[digits - 1] == ' ' ? method.substr(0, digits - 1)
+                                                                           : method;
+}
+
+int number_of(const std::string& method) { return std::stoi(method.substr(without_number(method).size())); }
+
+/// The family of each method: itself, or what it shares with others but for their numbers.
+std::map<std::string, std::string> families_of(const Findings& findings) {
+  std::map<std::string, std::set<std::string>> members;
+  for (const Result& result : findings.results)
+    members[without_number(result.of.method)].insert(result.of.method);
+  std::map<std::string, std::string> families;
+  for (const auto& [family, methods] : members) {
+    for (const std::string& method : methods) families[method] = methods.size() > 1 ? family : method;
+  }
+  return families;
+}
+
+/// What each method looks like, by its name: the same in all charts of the subject, and in its family.
 std::map<std::string, plot::Style> styles_of(const Findings& findings) {
-  const Choice& choice = findings.subject->choice;
+  const std::string& chosen = findings.subject->choice.method;
+  const std::map<std::string, std::string> families = families_of(findings);
   std::vector<std::string> names;
   std::vector<plot::Kind> kinds;
   for (const Result& result : findings.results) {
-    const std::string& method = result.of.method;
-    if (std::ranges::find(names, method) != names.end()) continue;
-    names.push_back(method);
+    const std::string& family = families.at(result.of.method);
+    if (std::ranges::find(names, family) != names.end()) continue;
+    names.push_back(family);
     const bool faulty = result.of.standing == Standing::faulty;
-    kinds.push_back(method == choice.method ? plot::Kind::chosen
-                    : faulty                ? plot::Kind::faulty
-                                            : plot::Kind::usual);
+    kinds.push_back(family == chosen ? plot::Kind::chosen : faulty ? plot::Kind::faulty : plot::Kind::usual);
   }
-  expects(choice.method.empty() || std::ranges::find(names, choice.method) != names.end(),
-          "{} has no method {} to choose", findings.subject->topic, choice.method);
+  expects(chosen.empty() || std::ranges::find(names, chosen) != names.end(), "{} has no method {} to choose",
+          findings.subject->topic, chosen);
   const std::vector<plot::Style> styles = plot::styles_of(kinds);
-  std::map<std::string, plot::Style> by_name;
-  for (std::size_t i = 0; i < names.size(); ++i) by_name[names[i]] = styles[i];
-  return by_name;
+  std::map<std::string, plot::Style> by_method;
+  for (const auto& [method, family] : families)
+    by_method[method] = styles[static_cast<std::size_t>(std::ranges::find(names, family) - names.begin())];
+  return by_method;
 }
 
 /// A chart with what all charts of a subject say.
@@ -82,6 +104,29 @@ plot::Curve& curve_of(plot::Chart& chart, const std::string& method,
   if (curve != chart.curves.end()) return *curve;
   chart.curves.push_back({method, {}, styles.at(method)});
   return chart.curves.back();
+}
+
+std::string error_label(const Subject& subject) {
+  return subject.unit.empty() ? "worst error" : "worst error, in " + subject.unit;
+}
+
+/// Joins the dots of each family; the last is named whole, the others by their numbers alone.
+void join_families(plot::Chart& chart, const Findings& findings) {
+  const std::map<std::string, std::string> families = families_of(findings);
+  std::map<std::string, std::map<int, plot::Dot*>> members;
+  for (plot::Dot& dot : chart.dots) {
+    const auto family = families.find(dot.name);
+    if (family != families.end() && family->second != dot.name)
+      members[family->second][number_of(dot.name)] = &dot;
+  }
+  for (const auto& [family, dots] : members) {
+    plot::Curve curve{"", {}, dots.begin()->second->style};
+    for (const auto& [number, dot] : dots) {
+      if (dot->at.y > 0) curve.points.push_back(dot->at);
+      if (number != dots.rbegin()->first) dot->name = fmt::format("{}", number);
+    }
+    chart.curves.push_back(std::move(curve));
+  }
 }
 
 bool beats(const Result& a, const Result& b) {
@@ -222,19 +267,26 @@ std::optional<plot::Chart> error_chart(const Findings& findings) {
     if (result.of.workload.name == subject.telling && result.of.error) compared.push_back(result);
   }
   if (compared.empty()) return std::nullopt;
+  // Where answers are right or wrong and nothing between, how many are wrong
+  const auto is_exact = [](const Result& r) { return r.of.error->max == 0; };
+  const auto is_right = [](const Result& r) { return r.of.error->wrong == 0; };
+  const bool counted = std::ranges::all_of(compared, is_exact) && !std::ranges::all_of(compared, is_right);
   const std::vector<bool> best = pareto_optimal(compared);
   const auto styles = styles_of(findings);
   plot::Chart chart = chart_of(
       findings,
       fmt::format("{} · low and left is better; no method beats a ringed one in both", subject.telling));
   chart.x = {fmt::format("time {}, in ns", one(subject.item))};
-  chart.y = {fmt::format("worst error, in {}", subject.unit), "0"};
+  chart.y = {counted ? "number of " + subject.unit : error_label(subject), "0"};
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const Case& of = compared[i].of;
+    const double error = counted ? static_cast<double>(of.error->wrong) : of.error->max;
     std::string name = of.method;
-    if (of.error->wrong > 0) name += fmt::format(", {} wrong", fmt::group_digits(of.error->wrong));
-    chart.dots.push_back({name, {compared[i].nanoseconds, of.error->max}, styles.at(of.method), best[i]});
+    if (of.error->wrong > 0 && !counted)
+      name += fmt::format(", {} wrong", fmt::group_digits(of.error->wrong));
+    chart.dots.push_back({name, {compared[i].nanoseconds, error}, styles.at(of.method), best[i]});
   }
+  join_families(chart, findings);
   return chart;
 }
 
@@ -275,7 +327,7 @@ std::optional<plot::Chart> refinement_chart(const Findings& findings) {
                                                      series.front().of.workload.size, subject.measure,
                                                      series.back().of.workload.size));
   chart.x = {fmt::format("time {}, in ns", one(subject.item))};
-  chart.y = {fmt::format("worst error, in {}", subject.unit), "0"};
+  chart.y = {error_label(subject), "0"};
   for (const Result& result : series) {
     const dvec2 at{result.nanoseconds, result.of.error->max};
     curve_of(chart, result.of.method, styles).points.push_back(at);

@@ -19,6 +19,7 @@ using layout::Pen;
 constexpr double axis_size = layout::text_size, name_size = 22, advice_size = 24, dot_radius = 9;
 constexpr double widest_marker = 1.35;              ///< times the radius: a diamond
 constexpr double name_height = 26, name_line = 29;  ///< of a name, and from one to the next in a column
+constexpr double name_air = 5;                      ///< on both sides, so that two names in a row come apart
 constexpr double names_gap = 52;                    ///< from the curves' ends to that column
 
 /// A logarithmic axis in pixels.
@@ -342,7 +343,7 @@ class Drawing {
     std::vector<NamedPoint> points;
     for (const Anchor& anchor : anchors_) {
       const double width = text_width(anchor.name, name_face(anchor.style), name_size * s_);
-      points.push_back({anchor.at, anchor.reach, {width, name_height * s_}});
+      points.push_back({anchor.at, anchor.reach, {width + 2 * name_air * s_, name_height * s_}});
     }
     const Box room = layout::grown(place_, -4 * s_);
     const std::vector<layout::PlacedLabel> labels = place_names(points, around, room, s_);
@@ -357,8 +358,9 @@ class Drawing {
                                        Paint::mark(anchor.style.role),
                                        1.4 * s_});
     }
-    p.text("name " + anchor.name, text({label.box.x, label.box.y + 20 * s_}, anchor.name, Align::left,
-                                       Paint::text(anchor.style.role), name_face(anchor.style), name_size));
+    p.text("name " + anchor.name,
+           text({label.box.x + name_air * s_, label.box.y + 20 * s_}, anchor.name, Align::left,
+                Paint::text(anchor.style.role), name_face(anchor.style), name_size));
   }
 
   void draw_foot() {

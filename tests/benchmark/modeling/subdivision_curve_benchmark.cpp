@@ -79,7 +79,7 @@ Subject subdivision_curve() {
   return {.topic = "subdivision_curve",
           .title = "Smooth curves as points",
           .item = "point",
-          .unit = "lengths",
+          .unit = "units of length",
           .measure = "rounds",
           .telling = "3 rounds",
           .cases = cases,

@@ -69,7 +69,7 @@ Subject perspective() {
           .measure = "points",
           .telling = "near to far",
           .cases = cases,
-          .choice = {"transform, divide", "the nearest to the exact points"}};
+          .choice = {"transform, divide", "as near as by a matrix, in the least time"}};
 }
 
 }  // namespace gradus::bench

@@ -100,7 +100,7 @@ Subject octree_order() {
   return {.topic = "octree_order",
           .title = "Cells of an octree in order",
           .item = "cell",
-          .unit = "lengths",
+          .unit = "units of length",
           .measure = "cells",
           .telling = "2752 cells",
           .cases = cases,

@@ -71,14 +71,15 @@ std::vector<Case> cases() {
 }  // namespace
 
 Subject painter() {
-  return {.topic = "painter",
-          .title = "Painting triangles",
-          .item = "triangle",
-          .unit = "wrong rays",
-          .measure = "triangles",
-          .telling = "few large",
-          .cases = cases,
-          .choice = {"newell", "right for every eye; it cuts only where no order exists"}};
+  return {
+      .topic = "painter",
+      .title = "Painting triangles",
+      .item = "triangle",
+      .unit = "wrong rays",
+      .measure = "triangles",
+      .telling = "few large",
+      .cases = cases,
+      .choice = {"BSP tree, build and walk", "right for every eye, and the tree stands for the next one"}};
 }
 
 }  // namespace gradus::bench

@@ -169,6 +169,39 @@ TEST(Report, ChartsMarkTheMethodToChooseAndKeepItsStyle) {
   EXPECT_THROW(error_chart(wrong), ContractViolation);
 }
 
+TEST(Report, WhereNothingButDecisionsCanBeWrongTheyAreCounted) {
+  Subject sides = subject;
+  sides.unit = "wrong sides";
+  Findings counted = findings();
+  counted.subject = &sides;
+  for (Result& result : counted.results) {
+    if (result.of.error) result.of.error->max = 0;
+  }
+  const auto chart = error_chart(counted);
+  EXPECT_EQ(chart->y.label, "number of wrong sides");
+  EXPECT_EQ(chart->dots[1].name, "fast and wrong");
+  EXPECT_EQ(chart->dots[1].at, dvec2(10, 3));
+  EXPECT_EQ(chart->dots[0].at, dvec2(40, 0));
+}
+
+TEST(Report, AMethodWithANumberIsOneCurve) {
+  Subject sampled = subject;
+  sampled.choice = {"samples", "the more the better"};
+  Findings found{&sampled, {}};
+  for (const int n : {16, 4, 64}) {
+    found.results.push_back(
+        result(fmt::format("samples {}", n), Standing::taught, {"mixed"}, n, Error{1.0 / n, 0, 0}));
+  }
+  found.results.push_back(result("levels 2", Standing::robust, {"mixed"}, 5, Error{1, 0, 0}));
+  const auto chart = error_chart(found);
+  ASSERT_EQ(chart->curves.size(), 1u);  // a number of its own makes no family
+  EXPECT_EQ(chart->curves[0].points, (std::vector<dvec2>{{4, 1.0 / 4}, {16, 1.0 / 16}, {64, 1.0 / 64}}));
+  std::vector<std::string> names;
+  for (const plot::Dot& dot : chart->dots) names.push_back(dot.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"16", "4", "samples 64", "levels 2"}));
+  EXPECT_TRUE(chart->dots[0].style.chosen && chart->dots[2].style.chosen && !chart->dots[3].style.chosen);
+}
+
 TEST(Report, FallingTimesHaveANegativeSlope) {
   Findings falling = findings();
   falling.results[4].nanoseconds = 4;
