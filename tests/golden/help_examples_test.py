@@ -73,7 +73,7 @@ def shorter(line):
     extra = SHORTER.get(name[1] if name else "")
     if name and name[1] == "figure" and SMALLER.search(line) and "--size" not in line:
         extra = " --size 320x180"
-    if not extra or "--only" in line or "lecture.json" in line:
+    if not extra or "--only" in line or "lecture.json" in line or "--from" in line:
         return line
     line = re.sub(r" --seconds \S+", "", line)
     if re.fullmatch(r"gradus bench( -.*)?", line):

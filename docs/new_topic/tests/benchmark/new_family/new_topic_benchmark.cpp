@@ -43,7 +43,8 @@ Subject new_topic() {
           .unit = "pixels",
           .measure = "columns, and as many rows",
           .telling = "256 columns",
-          .cases = cases};
+          .cases = cases,
+          .choice = {"walk", "FILL IN: why a reader should take it"}};
 }
 
 }  // namespace gradus::bench
