@@ -38,25 +38,39 @@ class Collector : public benchmark::BenchmarkReporter {
   std::map<std::size_t, Times> times_;
 };
 
-double seconds_of(const Case& of, std::int64_t runs) {
+struct Took {
+  double runs = 0, whole = 0;  ///< seconds: of the runs, and with their preparation
+};
+
+Took seconds_of(const Case& of, std::int64_t runs) {
   using Clock = std::chrono::steady_clock;
-  double seconds = 0;
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  Took took;
+  const auto first = Clock::now();
   for (std::int64_t i = 0; i < runs; ++i) {
     if (of.prepare) of.prepare();
     const auto start = Clock::now();
     of.run();
-    seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    took.runs += since(start);
   }
-  return seconds;
+  took.whole = since(first);
+  return took;
 }
+
+/// So much longer than asked for a repetition may last with its preparation: a fill of ten cells needs a
+/// fresh canvas of a million.
+constexpr double most_preparation = 4;
 
 /// Runs that take about so long together.
 std::int64_t runs_for(const Case& of, double seconds) {
   std::int64_t runs = 1;
   for (;;) {
-    const double took = seconds_of(of, runs);
-    if (took >= seconds / 8 || runs > (1 << 24)) {
-      return std::max<std::int64_t>(1, static_cast<std::int64_t>(seconds / took * static_cast<double>(runs)));
+    const Took took = seconds_of(of, runs);
+    if (took.runs >= seconds / 8 || took.whole >= seconds || runs > (1 << 24)) {
+      const double repetitions = std::min(seconds / took.runs, most_preparation * seconds / took.whole);
+      return std::max<std::int64_t>(1, static_cast<std::int64_t>(repetitions * static_cast<double>(runs)));
     }
     runs *= 4;
   }

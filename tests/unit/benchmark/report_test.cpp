@@ -318,5 +318,16 @@ TEST(Measure, RunsAreTimedAndPreparationIsNot) {
   EXPECT_LT(results[1].nanoseconds, results[0].nanoseconds);
 }
 
+TEST(Measure, PreparationDoesNotMakeARepetitionEndless) {
+  using namespace std::chrono_literals;
+  Case quick{"quick", Standing::taught, {"w"}};
+  quick.prepare = [] { std::this_thread::sleep_for(1ms); };
+  quick.run = [] {};
+  // Alone, so many runs would be a hundred thousand; each is prepared for 1 ms, of the 40 there are
+  const std::vector<Result> results = measure({quick}, {3, 0.01}, [] {});
+  EXPECT_GE(results[0].iterations, 1);
+  EXPECT_LE(results[0].iterations, 40);
+}
+
 }  // namespace
 }  // namespace gradus::bench
