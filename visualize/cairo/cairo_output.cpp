@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "cairo/any_script.hpp"
@@ -39,10 +42,89 @@ Rgba8 unpremultiplied(std::uint32_t pixel) {
   return {over_alpha(16), over_alpha(8), over_alpha(0), channel(24)};
 }
 
+/// RGB24 leaves the alpha byte undefined.
+Rgba8 without_alpha(std::uint32_t pixel) {
+  return {static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
+          static_cast<std::uint8_t>(pixel), 255};
+}
+
+Surface surface_of(const Image& image) {
+  // Without transparency a PDF needs no second image for the mask
+  Surface pixels(cairo().image_surface_create(is_opaque(image) ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
+                                              image.width(), image.height()));
+  check(cairo().surface_status(pixels.get()));
+  unsigned char* data = cairo().image_surface_get_data(pixels.get());
+  const int stride = cairo().image_surface_get_stride(pixels.get());
+  for (int y = 0; y < image.height(); ++y) {
+    auto* row = reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
+    std::ranges::transform(image.row(y), row, premultiplied);
+  }
+  cairo().surface_mark_dirty(pixels.get());
+  return pixels;
+}
+
+/// A picture as Cairo's pixels, which it puts into a document but once, on however many pages it lies.
+struct SharedPicture {
+  Image image;
+  Surface pixels;
+};
+
+/// Pixels of one colour in a row of a picture, in its pixels, by colours.
+using Runs = std::map<std::array<std::uint8_t, 3>, std::vector<Box>>;
+
+/// The pixels in which `image` is another one than `ground`, none of them transparent. Nothing: they are
+/// many, or the pictures have two sizes, or are so small that drawing both saves nothing. Runs, not a second
+/// picture with transparency: viewers that make that smaller mix its colours with those of its empty pixels.
+std::optional<Runs> runs_over(const Image& ground, const Image& image) {
+  constexpr int small = 10'000, most = 3'000;
+  if (image.width() != ground.width() || image.height() != ground.height()) return {};
+  if (image.width() * image.height() < small) return {};
+  Runs runs;
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    const auto row = image.row(y), below = ground.row(y);
+    for (std::size_t x = 0; x < row.size();) {
+      const std::size_t from = x;
+      while (x < row.size() && row[x] == row[from] && row[x] != below[x]) ++x;
+      if (x == from) {
+        ++x;
+        continue;
+      }
+      const Rgba8 c = row[from];
+      if (c.a != 255 || ++count > most) return {};
+      runs[{c.r, c.g, c.b}].push_back(
+          {static_cast<double>(from), static_cast<double>(y), static_cast<double>(x - from), 1});
+    }
+  }
+  return runs;
+}
+
+/// The latest pictures of a document.
+class SharedPictures {
+ public:
+  /// One that lies below the image, and what the image has over it.
+  std::pair<cairo_surface_t*, Runs> split(const Image& image) {
+    for (auto known = kept_.begin(); known != kept_.end(); ++known) {
+      std::optional<Runs> over = known->image == image ? Runs{} : runs_over(known->image, image);
+      if (!over) continue;
+      std::rotate(kept_.begin(), known, known + 1);
+      return {kept_.front().pixels.get(), *std::move(over)};
+    }
+    if (kept_.size() == most) kept_.pop_back();
+    kept_.insert(kept_.begin(), SharedPicture{image, surface_of(image)});
+    return {kept_.front().pixels.get(), {}};
+  }
+
+ private:
+  static constexpr std::size_t most = 16;  ///< pages have fewer
+  std::vector<SharedPicture> kept_;
+};
+
 class Painter {
  public:
-  Painter(cairo_t* context, const Finish& finish)
-      : context_(context), theme_(finish.theme), transparent_(finish.transparent) {
+  /// `shared`: with those that are painted before and after; null: there are none.
+  Painter(cairo_t* context, const Finish& finish, SharedPictures* shared = nullptr)
+      : context_(context), theme_(finish.theme), transparent_(finish.transparent), shared_(shared) {
     set_font_options(context);
   }
 
@@ -214,32 +296,42 @@ class Painter {
 
   void draw(const ImageShape& shape) {
     if (shape.image.width() == 0 || shape.image.height() == 0) return;
-    const Image image = pixels_of(shape, theme_);
-    // Without transparency a PDF needs no second image for the mask
-    const Surface pixels(cairo().image_surface_create(
-        is_opaque(image) ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, image.width(), image.height()));
-    check(cairo().surface_status(pixels.get()));
-    unsigned char* data = cairo().image_surface_get_data(pixels.get());
-    const int stride = cairo().image_surface_get_stride(pixels.get());
-    for (int y = 0; y < image.height(); ++y) {
-      auto* row = reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
-      std::ranges::transform(image.row(y), row, premultiplied);
-    }
-    cairo().surface_mark_dirty(pixels.get());
+    const Image pixels = pixels_of(shape, theme_);
+    if (!shared_) return draw(shape, surface_of(pixels).get());
+    const auto [ground, over] = shared_->split(pixels);
+    draw(shape, ground);
+    in_pixels_of(shape, [&] {
+      for (const auto& [color, runs] : over) {
+        cairo().set_source_rgb(context_, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+        for (const Box& run : runs) cairo().rectangle(context_, run.x, run.y, run.width, run.height);
+        cairo().fill(context_);
+      }
+    });
+  }
+
+  void draw(const ImageShape& shape, cairo_surface_t* pixels) {
+    in_pixels_of(shape, [&] {
+      cairo().set_source_surface(context_, pixels, 0, 0);
+      cairo().pattern_set_filter(cairo().get_source(context_),
+                                 shape.smooth ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
+      cairo().rectangle(context_, 0, 0, shape.image.width(), shape.image.height());
+      cairo().fill(context_);
+    });
+  }
+
+  template <class Draw>
+  void in_pixels_of(const ImageShape& shape, Draw draw) {
     cairo().save(context_);
     cairo().translate(context_, shape.box.x, shape.box.y);
     cairo().scale(context_, shape.box.width / shape.image.width(), shape.box.height / shape.image.height());
-    cairo().set_source_surface(context_, pixels.get(), 0, 0);
-    cairo().pattern_set_filter(cairo().get_source(context_),
-                               shape.smooth ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
-    cairo().rectangle(context_, 0, 0, shape.image.width(), shape.image.height());
-    cairo().fill(context_);
+    draw();
     cairo().restore(context_);
   }
 
   cairo_t* context_;
   const Theme& theme_;
   bool transparent_;
+  SharedPictures* shared_;
   double unit_ = 1;
 };
 
@@ -277,12 +369,17 @@ Image image_of(const Sheet& sheet, const Finish& finish) {
   const int stride = cairo().image_surface_get_stride(surface.get());
   Image image(cairo().image_surface_get_width(surface.get()),
               cairo().image_surface_get_height(surface.get()));
-  // RGB24 leaves the alpha byte undefined
-  const std::uint32_t opaque = finish.transparent ? 0 : 0xff000000u;
-  for (int y = 0; y < image.height(); ++y) {
-    const auto* row = reinterpret_cast<const std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
-    std::transform(row, row + image.width(), image.row(y).begin(),
-                   [opaque](std::uint32_t pixel) { return unpremultiplied(pixel | opaque); });
+  const auto convert = [&](auto to_pixel) {
+    for (int y = 0; y < image.height(); ++y) {
+      const auto* row =
+          reinterpret_cast<const std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
+      std::transform(row, row + image.width(), image.row(y).begin(), to_pixel);
+    }
+  };
+  if (finish.transparent) {
+    convert([](std::uint32_t pixel) { return unpremultiplied(pixel); });
+  } else {
+    convert([](std::uint32_t pixel) { return without_alpha(pixel); });
   }
   return image;
 }
@@ -298,6 +395,7 @@ std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& p
   std::string text;
   const Surface surface(cairo().pdf_surface_create_for_stream(append, &text, 1, 1));
   set_pdf_metadata(surface.get(), colophon);
+  SharedPictures shared;
   for (std::size_t i = 0; i < pages; ++i) {
     const Sheet sheet = page(i);
     // A CSS pixel is 3/4 of a PDF point
@@ -305,7 +403,7 @@ std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& p
     check(cairo().surface_status(surface.get()));
     const Context context(cairo().create(surface.get()));
     cairo().scale(context.get(), 0.75, 0.75);
-    Painter(context.get(), finish).paint(sheet);
+    Painter(context.get(), finish, &shared).paint(sheet);
     cairo().show_page(context.get());
     check(cairo().status(context.get()));
   }

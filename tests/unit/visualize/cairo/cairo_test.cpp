@@ -77,6 +77,19 @@ TEST(CairoOutput, SameImagesSameBytes) {
   EXPECT_EQ(svg_of(sheet, themes()[0], hostile_colophon), first);
 }
 
+TEST(CairoOutput, APictureOnManyPagesIsInTheDocumentOnce) {
+  const Trace trace = test::trace_of(
+      "flood_fill",
+      {{"image", std::string(GRADUS_SOURCE_DIR) + "/examples/images/camera.png"}, {"at", "300,60"}}, {0, 50});
+  std::vector<Sheet> sheets;
+  for (const std::int64_t step : {2, 20, 40}) sheets.push_back(sheet_at(trace, {step, 0}));
+  const std::string pdf =
+      pdf_of(sheets.size(), [&sheets](std::size_t i) { return sheets[i]; }, themes()[0], hostile_colophon);
+  const std::regex whole_picture("/Width 512");
+  EXPECT_EQ(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), whole_picture), {}), 1)
+      << "pixels that are painted meanwhile lie over it";
+}
+
 TEST(CairoOutput, ThreadsGiveTheSameBytes) {
   const Trace trace = test::trace_of("flood_fill");
   const Sheet sheet = sheet_at(trace, {5, 0});
