@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <set>
 
@@ -257,13 +258,6 @@ Failures for_all(const std::vector<Job>& jobs, const Lecture& lecture, std::size
   return {jobs.size() - static_cast<std::size_t>(fine), problems, about_input};
 }
 
-/// "run lengths: (0, 0) to (14, 5)", for the topic's page.
-TopicFigure topic_figure(const LectureFigure& figure, const Card& card, const Trace& trace) {
-  const std::string faulty = trace.faulty.empty() ? "" : " (faulty)";
-  return {figure.spec.topic, fmt::format("{}{}: {}", trace.method_title, faulty, trace.subtitle),
-          card.player};
-}
-
 /// Writes the pages of the topics that have figures here; check_pages() has let them. Returns what was
 /// written.
 std::vector<ManifestFile> write_topics(const std::vector<TopicFigure>& figures, const fs::path& out) {
@@ -277,25 +271,17 @@ std::vector<ManifestFile> write_topics(const std::vector<TopicFigure>& figures, 
   return written;
 }
 
-/// Makes the cards of figures and renders that are there, and what the figures' topics link to.
-struct CardMaker {
-  explicit CardMaker(const Album& in) : album(in) {}
-  void add(const LectureFigure& figure) {
-    const Takes takes(*figure.spec.topic, figure.spec.arguments, figure.spec.wording, figure.spec.listing,
-                      beside_of(figure.spec));
-    cards.push_back(card_of(figure, album.files(figure.name), takes));
-    figures.push_back(topic_figure(figure, cards.back(), takes.opening()));
-  }
-  void add(const LectureRender& render) { cards.push_back(card_of(render)); }
+/// What figures and renders say of themselves, by their names.
+using Entries = std::map<std::string, GalleryEntry>;
 
-  const Album& album;
-  std::vector<Card> cards;
-  std::vector<TopicFigure> figures;
-};
+GalleryEntry entry_of_part(const LectureFigure& figure, const Album& album) {
+  return entry_of(figure, album.files(figure.name));
+}
+GalleryEntry entry_of_part(const LectureRender& render, const Album&) { return entry_of(render); }
 
 /// The page of all figures that are there, and the pages of their topics; with the built-in gallery the
-/// errata.
-void write_index(const Lecture& lecture, bool built_in, const fs::path& out, Album& album,
+/// errata. `drawn`: the entries of those that have just been drawn.
+void write_index(const Lecture& lecture, bool built_in, const fs::path& out, Album& album, Entries drawn,
                  const std::string& program, bool force) {
   std::string contents = program + "\n" + lecture.title;
   std::vector<AnyPart> present;
@@ -307,9 +293,18 @@ void write_index(const Lecture& lecture, bool built_in, const fs::path& out, Alb
   }
   const std::string key = fingerprint(contents);
   if (!force && album.has(index_name, key)) return;
-  CardMaker cards(album);
-  for (const AnyPart& part : present) std::visit([&](const auto* one) { cards.add(*one); }, part);
-  std::vector<ManifestFile> written = write_topics(cards.figures, out);
+  std::vector<Card> cards;
+  std::vector<TopicFigure> linked;
+  for (const AnyPart& part : present) {
+    const auto known = drawn.find(part_of(part).name);
+    GalleryEntry entry =
+        known != drawn.end()
+            ? std::move(known->second)
+            : std::visit([&album](const auto* one) { return entry_of_part(*one, album); }, part);
+    cards.push_back(std::move(entry.card));
+    if (entry.topic_figure) linked.push_back(std::move(*entry.topic_figure));
+  }
+  std::vector<ManifestFile> written = write_topics(linked, out);
   GalleryOptions options;
   if (!lecture.title.empty()) options.title = lecture.title;
   if (built_in) {
@@ -317,7 +312,7 @@ void write_index(const Lecture& lecture, bool built_in, const fs::path& out, Alb
     written.push_back(file_state(out, errata_name));
     options.errata = errata_name;
   }
-  write_output((out / index_name).string(), gallery_page(cards.cards, options), Replace::anything);
+  write_output((out / index_name).string(), gallery_page(cards, options), Replace::anything);
   written.push_back(file_state(out, index_name));
   album.put(index_name, key, std::move(written));
   album.save();
@@ -407,6 +402,7 @@ int figures(const Request& request) {
     if (force || !album.has(job.name(), job.key)) due.push_back(job);
   }
   std::vector<std::vector<std::string>> remarks(due.size());
+  std::vector<GalleryEntry> entries(due.size());
   const Failures failures = for_all(due, lecture, threads, request.quiet(), [&](std::size_t i) {
     const auto replace = [&](const std::string& path) {
       return replaces(force || album.made(due[i].name(), path));
@@ -414,9 +410,14 @@ int figures(const Request& request) {
     Drawn drawn = std::visit([&](const auto* part) { return draw(*part, out, replace); }, due[i].part);
     album.put(due[i].name(), due[i].key, std::move(drawn.files));
     remarks[i] = std::move(drawn.remarks);
+    entries[i] = std::move(drawn.entry);
   });
   album.save();
-  write_index(lecture, built_in, out, album, program, force);
+  Entries drawn;
+  for (std::size_t i = 0; i < due.size(); ++i) {
+    if (!entries[i].card.slug.empty()) drawn.emplace(due[i].name(), std::move(entries[i]));
+  }
+  write_index(lecture, built_in, out, album, std::move(drawn), program, force);
 
   if (request.has("zip")) {
     zip_folder(out, album.paths(), zip_beside(out), replaces(force));

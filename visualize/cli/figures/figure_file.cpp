@@ -144,7 +144,11 @@ Sheet sheet_of(const FigureSpec& spec, Takes& takes, StepNumber step) {
 }
 
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format) {
-  const Sheet sheet = sheet_of(spec, takes, step);
+  return picture_bytes(sheet_of(spec, takes, step), spec, takes, step, format);
+}
+
+std::string picture_bytes(const Sheet& sheet, const FigureSpec& spec, Takes& takes, StepNumber step,
+                          Format format) {
   const Colophon colophon = colophon_at(spec, takes, step);
   return format == Format::png ? png_of(sheet, finish_of(spec), colophon)
                                : svg_of(sheet, finish_of(spec), colophon);

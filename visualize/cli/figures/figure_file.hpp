@@ -37,6 +37,9 @@ Sheet sheet_of(const FigureSpec& spec, Takes& takes, StepNumber step);
 
 /// SVG or PNG.
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format);
+/// The same of its sheet_of().
+std::string picture_bytes(const Sheet& sheet, const FigureSpec& spec, Takes& takes, StepNumber step,
+                          Format format);
 /// Told that the i-th picture of a file has been drawn.
 using OnDrawn = std::function<void(std::size_t i)>;
 /// PDF, one page per step.

@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "cli/command_line/errors.hpp"
 #include "cli/commands/figure.hpp"
@@ -19,6 +21,11 @@ namespace gradus::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A file to be written.
+struct OutputFile {
+  std::string name, bytes;
+};
 
 /// Steps in its zip, two pictures each, likewise.
 constexpr std::int64_t most_zip_steps = 48;
@@ -88,14 +95,34 @@ class Folder {
   std::vector<std::string> paths_;
 };
 
+/// Pictures of a figure's steps, in one look. A step is laid out once for both its formats, and one that is
+/// asked for again, for the zip, isn't drawn again.
+class Pictures {
+ public:
+  explicit Pictures(Takes& takes) : takes_(takes) {}
+  const std::string& bytes(const FigureSpec& figure, StepNumber step, Format format) {
+    const FigureSpec spec = fitting(at_step(figure, step), format);
+    const auto [picture, is_new] = drawn_.try_emplace({format, command_of(spec)});
+    if (is_new) picture->second = picture_bytes(sheet(spec, step), spec, takes_, step, format);
+    return picture->second;
+  }
+
+ private:
+  const Sheet& sheet(const FigureSpec& spec, StepNumber step) {
+    if (!sheet_ || sheet_->first != step) sheet_ = {step, sheet_of(spec, takes_, step)};
+    return sheet_->second;
+  }
+
+  Takes& takes_;
+  std::optional<std::pair<StepNumber, Sheet>> sheet_;
+  std::map<std::pair<Format, std::string>, std::string> drawn_;  ///< by the commands that make them
+};
+
 /// SVG and PNG of each step, for taking them all.
-std::string zip_bytes(const LectureFigure& figure, Takes& takes) {
+std::string zip_bytes(const LectureFigure& figure, Takes& takes, Pictures& pictures) {
   const FigureSpec spec = paged(figure.spec, takes, most_zip_steps);
   const auto draw = [&](StepNumber step) {
-    const auto picture = [&](Format format) {
-      return picture_bytes(fitting(at_step(spec, step), format), takes, step, format);
-    };
-    return StepPicture{picture(Format::svg), picture(Format::png)};
+    return StepPicture{pictures.bytes(spec, step, Format::svg), pictures.bytes(spec, step, Format::png)};
   };
   return zip_of(step_entries(figure.name, title_of(figure), short_command(figure), page_steps(spec, takes),
                              {takes.last(), 0}, draw));
@@ -121,10 +148,14 @@ Request thumbnail_of(const LectureRender& render) {
 
 }  // namespace
 
-std::string program_fingerprint() { return fingerprint(read_input("/proc/self/exe", "gradus")); }
+namespace {
 
-std::vector<OutputFile> output_files(const FigureSpec& figure, Takes& takes, Format format,
-                                     const std::string& stem) {
+/// The files of a figure in one format: the only place that knows which those are. Pictures show the most
+/// telling step, "<stem>.svg"; of several chosen steps there is one file each, "<stem>-4.svg". A PDF has a
+/// page per step; a player plays the stretch that the chosen steps span. Throws UsageError for steps that the
+/// run has not.
+std::vector<OutputFile> output_files(const FigureSpec& figure, Takes& takes, Pictures& pictures,
+                                     Format format, const std::string& stem) {
   const FigureSpec spec = fitting(figure, format);
   const std::string ending = fmt::format(".{}", name_of(format));
   if (is_document(format)) {
@@ -147,10 +178,14 @@ std::vector<OutputFile> output_files(const FigureSpec& figure, Takes& takes, For
   const std::vector<StepNumber> steps = picture_steps(spec, takes);
   for (const StepNumber step : steps) {
     const std::string number = steps.size() == 1 ? "" : "-" + text_of(step);
-    files.push_back({stem + number + ending, picture_bytes(at_step(spec, step), takes, step, format)});
+    files.push_back({stem + number + ending, pictures.bytes(figure, step, format)});
   }
   return files;
 }
+
+}  // namespace
+
+std::string program_fingerprint() { return fingerprint(read_input("/proc/self/exe", "gradus")); }
 
 void rehearse(const LectureFigure& figure) {
   const FigureSpec& spec = figure.spec;
@@ -169,9 +204,10 @@ void rehearse(const LectureFigure& figure) {
 Drawn draw(const LectureFigure& figure, const fs::path& out, const ReplaceAt& replace) {
   const FigureSpec& spec = figure.spec;
   Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, beside_of(spec));
+  Pictures pictures(takes);
   Folder folder(figure, out, replace);
   for (const Format format : figure.outputs) {
-    for (const OutputFile& file : output_files(spec, takes, format, figure.name)) {
+    for (const OutputFile& file : output_files(spec, takes, pictures, format, figure.name)) {
       folder.add(file.name, file.bytes);
     }
   }
@@ -179,9 +215,11 @@ Drawn draw(const LectureFigure& figure, const fs::path& out, const ReplaceAt& re
   const FigureSpec thumbnail =
       fitting(with_flag(with_flag(at_step(spec, telling), "slots", "drawing"), "crop", "true"), Format::svg);
   folder.add(figure.name + "-drawing.svg", picture_bytes(thumbnail, takes, telling, Format::svg));
-  if (has_zip(figure)) folder.add(figure.name + "-steps.zip", zip_bytes(figure, takes));
+  if (has_zip(figure)) folder.add(figure.name + "-steps.zip", zip_bytes(figure, takes, pictures));
   folder.add_inputs();
-  return {folder.finish(), figure.remarks};
+  std::vector<ManifestFile> files = folder.finish();
+  GalleryEntry entry = entry_of(figure, files, takes);
+  return {std::move(files), figure.remarks, std::move(entry)};
 }
 
 void rehearse(const LectureRender&) {}
@@ -194,7 +232,7 @@ Drawn draw(const LectureRender& render, const fs::path& out, const ReplaceAt& re
     folder.add(thumbnail_name(render), rendered_again(thumbnail_of(render), render).png);
   }
   folder.add_inputs();
-  return {folder.finish(), std::move(picture.remarks)};
+  return {folder.finish(), std::move(picture.remarks), entry_of(render)};
 }
 
 ManifestFile file_state(const fs::path& out, const std::string& path) {

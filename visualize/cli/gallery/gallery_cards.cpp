@@ -196,6 +196,8 @@ std::string short_command(const LectureFigure& figure) {
       shell_quoted(fmt::format("{}{}.{}", figure.name, series ? "-{step}" : "", name_of(format))));
 }
 
+namespace {
+
 Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, const Takes& takes) {
   const auto makes = [&figure](Format format) {
     return std::ranges::find(figure.outputs, format) != figure.outputs.end();
@@ -250,5 +252,28 @@ Card card_of(const LectureRender& render) {
   card.words = {"render", base_of(render.files.front())};
   return card;
 }
+
+/// "run lengths: (0, 0) to (14, 5)", for the topic's page.
+TopicFigure topic_figure(const LectureFigure& figure, const Card& card, const Trace& trace) {
+  const std::string faulty = trace.faulty.empty() ? "" : " (faulty)";
+  return {figure.spec.topic, fmt::format("{}{}: {}", trace.method_title, faulty, trace.subtitle),
+          card.player};
+}
+
+}  // namespace
+
+GalleryEntry entry_of(const LectureFigure& figure, std::span<const ManifestFile> files, const Takes& takes) {
+  Card card = card_of(figure, files, takes);
+  TopicFigure linked = topic_figure(figure, card, takes.opening());
+  return {std::move(card), std::move(linked)};
+}
+
+GalleryEntry entry_of(const LectureFigure& figure, std::span<const ManifestFile> files) {
+  const FigureSpec& spec = figure.spec;
+  return entry_of(figure, files,
+                  Takes(*spec.topic, spec.arguments, spec.wording, spec.listing, beside_of(spec)));
+}
+
+GalleryEntry entry_of(const LectureRender& render) { return {card_of(render), {}}; }
 
 }  // namespace gradus::cli
