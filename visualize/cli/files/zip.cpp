@@ -61,8 +61,8 @@ class Zip {
  public:
   Zip() : writer_(archives().archive_write_new()) {
     check(archives().archive_write_set_format_zip(writer_.get()));
-    check(
-        archives().archive_write_set_options(writer_.get(), "zip:compression=deflate,zip:hdrcharset=UTF-8"));
+    check(archives().archive_write_set_options(
+        writer_.get(), "zip:compression=deflate,zip:compression-level=3,zip:hdrcharset=UTF-8"));
     check(archives().archive_write_set_bytes_per_block(writer_.get(), 0));
     check(archives().archive_write_open(writer_.get(), &bytes_, nullptr, append, nullptr));
   }
