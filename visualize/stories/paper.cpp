@@ -8,24 +8,40 @@
 
 namespace gradus {
 
+namespace {
+/// take(key, value, that of the other map or null) for all entries. Both maps are walked once: a drawing may
+/// have thousands of cells.
+template <class Map, class Take>
+void each_beside(const Map& map, const Map& other, Take take) {
+  auto beside = other.begin();
+  for (const auto& [key, value] : map) {
+    while (beside != other.end() && beside->first < key) ++beside;
+    const bool in_both = beside != other.end() && beside->first == key;
+    take(key, value, in_both ? &beside->second : nullptr);
+  }
+}
+}  // namespace
+
 Delta difference(const View& before, const View& after) {
   Delta delta;
   if (before.plane != after.plane) delta.plane = after.plane;
-  for (const auto& [id, mark] : before.marks) {
-    if (!after.marks.contains(id)) delta.removed.push_back(id);
-  }
-  for (const auto& [at, look] : before.cells) {
-    if (!after.cells.contains(at)) delta.cells.push_back({{at.second, at.first}, std::nullopt});
-  }
-  for (const auto& [at, look] : after.cells) {
-    const auto old = before.cells.find(at);
-    if (old == before.cells.end() || old->second != look)
-      delta.cells.push_back({{at.second, at.first}, look});
-  }
-  for (const auto& [id, mark] : after.marks) {
-    const auto old = before.marks.find(id);
-    if (old == before.marks.end() || old->second != mark) delta.set.push_back(mark);
-  }
+  each_beside(before.marks, after.marks, [&](const std::string& id, const Mark&, const Mark* now) {
+    if (!now) delta.removed.push_back(id);
+  });
+  using At = std::pair<int, int>;
+  std::vector<std::pair<At, const CellLook*>> cells;  // moved more cheaply than their looks
+  each_beside(before.cells, after.cells, [&](const At& at, const CellLook&, const CellLook* now) {
+    if (!now) cells.emplace_back(at, nullptr);
+  });
+  each_beside(after.cells, before.cells, [&](const At& at, const CellLook& look, const CellLook* old) {
+    if (!old || *old != look) cells.emplace_back(at, &look);
+  });
+  delta.cells.reserve(cells.size());
+  for (const auto& [at, look] : cells)
+    delta.cells.push_back({{at.second, at.first}, look ? std::optional(*look) : std::nullopt});
+  each_beside(after.marks, before.marks, [&](const std::string&, const Mark& mark, const Mark* old) {
+    if (!old || *old != mark) delta.set.push_back(mark);
+  });
   return delta;
 }
 
