@@ -15,6 +15,7 @@ namespace {
 using namespace layout;
 
 constexpr double heading_room = 34, panel_heading = 24;  ///< units: of the line above a panel
+constexpr double counts_room = 28, count_gap = 28;       ///< of the line of counts below it
 constexpr double panel_gap = 12, panel_air = 8;          ///< between panels, and inside their frames
 constexpr int most_sentence_lines = 5;
 constexpr double unequal_rows = 1000;  ///< what they cost: more than any cell is large
@@ -66,9 +67,10 @@ struct Tiling {
   double width = 0, height = 0;  ///< of a drawing with its frame
   double sentence = 0;           ///< height of a panel's own sentence
   int sentence_lines = 0;
+  double heading = heading_room;  ///< of all that stands above a drawing
   dvec2 pitch() const {
     const double below = sentence > 0 ? sentence + panel_gap : 0;
-    return {width + panel_gap, heading_room + height + below + panel_gap};
+    return {width + panel_gap, heading + height + below + panel_gap};
   }
 };
 
@@ -81,11 +83,12 @@ int lines_of_own(std::span<const std::string> sentences, double width) {
 }
 
 /// `sentences`: of the panels' own; none: they lack them.
-Tiling tiling_of(std::size_t runs, std::span<const std::string> sentences, std::size_t columns,
-                 const Box& area) {
+Tiling tiling_of(std::size_t runs, const PanelBand& band, std::span<const std::string> sentences,
+                 std::size_t columns, const Box& area) {
   const auto count = static_cast<double>(columns);
   const auto rows = static_cast<double>((runs + columns - 1) / columns);
   Tiling tiling{.columns = columns};
+  if (band.counted) tiling.heading += counts_room;
   tiling.width = (area.width + panel_gap) / count - panel_gap;
   if (!sentences.empty()) {
     tiling.sentence_lines = lines_of_own(sentences, tiling.width);
@@ -105,12 +108,13 @@ double worth_of(const Fit& shown) {
 }
 
 /// The tiling whose drawings show most, in the largest cells; nothing: there is no room for them.
-std::optional<Tiling> best_tiling(std::size_t runs, std::span<const std::string> sentences,
-                                  const Stage& stage, const Box& area) {
+std::optional<Tiling> best_tiling(std::size_t runs, const PanelBand& band,
+                                  std::span<const std::string> sentences, const Stage& stage,
+                                  const Box& area) {
   std::optional<Tiling> best;
   double most = 0;  // set with the first
   for (std::size_t columns = runs; columns > 0; --columns) {
-    const Tiling tiling = tiling_of(runs, sentences, columns, area);
+    const Tiling tiling = tiling_of(runs, band, sentences, columns, area);
     const auto shown = fit_in(stage, tiling);
     if (!shown) continue;
     // Rows as equal as can be: two and two rather than three and one, and no place empty that need not be
@@ -162,7 +166,7 @@ Plan plan_of(const Stage& stage, std::size_t runs, const PanelBand& band, const 
              std::vector<std::string> sentences) {
   Plan plan{std::move(sentences), {}, stage};
   plan.page = page_of(band.banner, bands_of(look, !plan.sentences.empty()));
-  plan.tiling = best_tiling(runs, plan.sentences, stage, plan.page.middle);
+  plan.tiling = best_tiling(runs, band, plan.sentences, stage, plan.page.middle);
   if (plan.tiling) plan.worth = worth_of(*fit_in(stage, *plan.tiling));
   return plan;
 }
@@ -250,6 +254,71 @@ void lay_out_panel_heading(Pen& pen, const SheetPanel& panel, const Box& box) {
                     panel.parts ? Paint::text(Role::measure) : Paint::of(Tone::muted)});
 }
 
+/// What each run took, name and number, as many as have room: "cuts 4   divisions 4".
+void lay_out_counts(Pen& pen, const SheetPanel& panel, const Box& box) {
+  const double s = pen.scale(), size = text_size * s, baseline = box.bottom() - 8 * s;
+  double x = box.x + 4 * s;
+  for (std::size_t i = 0; i < panel.counts.size(); ++i) {
+    const auto& [name, value] = panel.counts[i];
+    const double to_value = text_width(name + " ", Face::sans, size),
+                 width = to_value + text_width(value, Face::bold, size);
+    if (x + width > box.right()) return;
+    const std::string id = fmt::format("count {}", i + 1);
+    pen.text(id, {{x, baseline}, name, Face::sans, size, Align::left, Paint::of(Tone::muted)});
+    pen.text(id + " value",
+             {{x + to_value, baseline}, value, Face::bold, size, Align::left, Paint::of(Tone::ink)});
+    x += width + count_gap * s;
+  }
+}
+
+/// Whether a frame shows anything of a mark that a legend tells of.
+bool shows(const Frame& frame, const Mark& mark) {
+  Content::Part reach;
+  const auto add = [&](dvec2 p) { reach.add(frame.point(p)); };
+  if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
+    add(stroke->a);
+    add(stroke->b);
+  } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
+    std::ranges::for_each(path->points, add);
+  } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
+    add(dot->at);
+  } else if (const Area* area = std::get_if<Area>(&mark.shape)) {
+    for (const auto& ring : area->rings) std::ranges::for_each(ring, add);
+  } else {
+    return true;
+  }
+  const Box& box = frame.box;
+  return reach.upper.x >= box.x && reach.lower.x <= box.right() && reach.upper.y >= box.y &&
+         reach.lower.y <= box.bottom();
+}
+
+/// What of a figure a frame shows, for the legend: a panel may be cut. Copied only where something is
+/// missing.
+class SeenPart {
+ public:
+  SeenPart(const Figure& figure, const Frame& frame) : figure_(figure) {
+    const auto unseen = [&frame](const Mark& mark) { return !shows(frame, mark); };
+    if (std::ranges::any_of(figure.trace->backdrop, unseen)) {
+      trace_ = *figure.trace;
+      std::erase_if(trace_->backdrop, unseen);
+    }
+    Delta delta;
+    for (const auto& [id, mark] : figure.canvas->marks()) {
+      if (unseen(mark)) delta.removed.push_back(id);
+    }
+    if (delta.removed.empty()) return;
+    canvas_ = *figure.canvas;
+    canvas_->apply(delta);
+  }
+  const Trace& trace() const { return trace_ ? *trace_ : *figure_.trace; }
+  const Canvas& canvas() const { return canvas_ ? *canvas_ : *figure_.canvas; }
+
+ private:
+  const Figure& figure_;
+  std::optional<Trace> trace_;
+  std::optional<Canvas> canvas_;
+};
+
 /// The sheet while its panels are drawn.
 class PanelSheet {
  public:
@@ -267,7 +336,7 @@ class PanelSheet {
   void draw(std::size_t number, const SheetPanel& panel, bool last) {
     const std::size_t first = sheet_.shapes.size();
     const Box heading = box_of(number, 0, heading_room);
-    const Box frame = box_of(number, heading_room, tiling_.height);
+    const Box frame = box_of(number, tiling_.heading, tiling_.height);
     const double air = panel_air * sheet_.unit;
     Pen pen(sheet_, Slot::drawing, sheet_.unit);
     Scene scene =
@@ -279,14 +348,15 @@ class PanelSheet {
              {frame, {}, Paint::of(Tone::rule), 1.5 * sheet_.unit, 6 * sheet_.unit, false, Hatch::none, {}});
     lay_out_drawing(pen, panel.figure, scene);
     lay_out_panel_heading(pen, panel, heading);
+    lay_out_counts(pen, panel, box_of(number, heading_room, tiling_.heading - heading_room));
     if (!plan_.sentences.empty()) {
       Pen below(sheet_, Slot::sentence, sheet_.unit);
-      const Box box = box_of(number, heading_room + tiling_.height + panel_gap, tiling_.sentence);
+      const Box box = box_of(number, tiling_.heading + tiling_.height + panel_gap, tiling_.sentence);
       lay_out_sentence(below, panel.figure, box, tiling_.sentence_lines);
     }
     name_shapes_from(first, fmt::format("panel {} ", number + 1));
     drawn_ = number == 0 ? frame : around(drawn_, frame);
-    if (last) draw_bands(panel.figure, scene.frame.view);
+    if (last) draw_bands(panel.figure, scene.frame);
   }
 
   Sheet finish() {
@@ -325,7 +395,11 @@ class PanelSheet {
     for (std::size_t i = first; i < sheet_.shapes.size(); ++i) sheet_.shapes[i].id.insert(0, prefix);
   }
 
-  void draw_bands(Figure figure, const Window& view) {
+  void draw_bands(Figure figure, const Frame& frame) {
+    const Figure whole = figure;
+    const SeenPart seen(whole, frame);
+    figure.trace = &seen.trace();
+    figure.canvas = &seen.canvas();
     figure.sentence = band_.sentence;
     figure.position = band_.position;
     figure.phase.clear();
@@ -338,8 +412,9 @@ class PanelSheet {
     draw_slot(Slot::title, at.title, [&](Pen& pen, const Box& box) { lay_out_title(pen, at.heading, box); });
     draw_slot(Slot::sentence, at.sentence,
               [&](Pen& pen, const Box& box) { lay_out_sentence(pen, figure, box, at.sentence_lines); });
-    draw_slot(Slot::footer, at.footer,
-              [&](Pen& pen, const Box& box) { lay_out_footer(pen, figure, box, view, at.footer_lines); });
+    draw_slot(Slot::footer, at.footer, [&](Pen& pen, const Box& box) {
+      lay_out_footer(pen, figure, box, frame.view, at.footer_lines);
+    });
   }
 
   const PanelBand& band_;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "figure/figure.hpp"
@@ -19,6 +20,7 @@ struct SheetPanel {
   bool faulty = false;        ///< its heading is in the colour of faults
   bool parts = false;         ///< its note is, too
   std::optional<dvec2> ring;  ///< of the grid: what is pointed at
+  std::vector<std::pair<std::string, std::string>> counts{};  ///< below its heading: "cuts" and "4"
 };
 
 /// What the sheet says of all panels.
@@ -30,6 +32,7 @@ struct PanelBand {
   /// The figures' own, or the longest that they may have: also where there is one for all, they stand there
   /// if the drawings are as large with them.
   std::vector<std::string> own_sentences{};
+  bool counted = false;  ///< panels have counts
 };
 
 /// Lays out as many panels as there are runs named in `runs`: the i-th panel shows a step of runs[i], and

@@ -194,7 +194,7 @@ std::vector<StepNumber> milestones_of(const Trace& trace) {
 
 std::vector<StepNumber> phase_steps(const Trace& trace, std::size_t most) {
   const std::string set_up = trace.wording.say("words.set_up"), result = trace.wording.say("words.result");
-  std::vector<const TraceStep*> between, ends_of_phase, all;
+  std::vector<const TraceStep*> between, noted, ends_of_phase, all;
   for (const TraceStep& step : trace.steps) {
     if (!is_whole(step)) continue;
     all.push_back(&step);
@@ -202,7 +202,9 @@ std::vector<StepNumber> phase_steps(const Trace& trace, std::size_t most) {
     if (!ends_of_phase.empty() && ends_of_phase.back()->phase == step.phase) ends_of_phase.pop_back();
     ends_of_phase.push_back(&step);
     between.push_back(&step);
+    if (!step.note.empty()) noted.push_back(&step);
   }
+  if (noted.size() > 1) between = noted;
   if (ends_of_phase.size() > 1) return numbers_of(evenly_spread(ends_of_phase, most));
   const std::size_t most_of_one = trace.grid.axes ? 6 : 4;
   return numbers_of(evenly_spread(between.size() > 1 ? between : all, std::min(most, most_of_one)));

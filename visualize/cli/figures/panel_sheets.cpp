@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <span>
 
 #include "cli/command_line/errors.hpp"
 #include "figure/panels.hpp"
@@ -59,10 +61,9 @@ std::string numbered(const std::string& phase, const std::vector<std::string>& p
   return fmt::format("{} {}", std::ranges::find(phases, phase) - phases.begin() + 1, phase);
 }
 
-/// What the step says of its effect, else what is new in its row: "code_b = 0000".
-std::string note_of(const Figure& figure) {
+/// What is new in the step's row: "code_b = 0000".
+std::string news_of(const Figure& figure) {
   const TraceStep& step = told_step(figure);
-  if (!step.note.empty()) return step.note;
   if (figure.rows.empty() || step.row.empty()) return "";
   const Figure::TableRow& row = figure.rows.back();
   std::string note;
@@ -73,6 +74,30 @@ std::string note_of(const Figure& figure) {
                                                                   arg("value", row.cells[c]));
   }
   return note;
+}
+
+/// What the step says of its effect, else what is new in its row.
+std::string note_of(const Figure& figure) {
+  const std::string& note = told_step(figure).note;
+  return note.empty() ? news_of(figure) : note;
+}
+
+/// What tells the panels apart; empty where that is not known of each.
+using Names = std::vector<std::string>;
+
+bool all_differ(const Names& names) {
+  const std::set<std::string> known(names.begin(), names.end());
+  return known.size() == names.size() && !known.contains("");
+}
+
+/// Names of steps, each another one: their phases, else what they say of their effects. None: there are none.
+Names names_of(std::span<const TraceStep> steps) {
+  for (const auto& member : {&TraceStep::phase, &TraceStep::note}) {
+    Names names;
+    for (const TraceStep& step : steps) names.push_back(step.*member);
+    if (all_differ(names)) return names;
+  }
+  return {};
 }
 
 // --- Two runs ----------------------------------------------------------------------------------------------
@@ -175,6 +200,18 @@ Trace banner_of(const Trace& a, const Trace& b) {
   return banner;
 }
 
+using Counts = std::vector<std::pair<std::string, std::string>>;
+
+/// "cuts: 4" as its two parts.
+Counts counts_of(const Trace& trace) {
+  Counts counts;
+  for (const std::string& count : trace.counts) {
+    const std::size_t colon = std::min(count.find(": "), count.size());
+    counts.emplace_back(count.substr(0, colon), count.substr(std::min(colon + 2, count.size())));
+  }
+  return counts;
+}
+
 StepPair pair_at(const Takes& takes, StepNumber step) {
   StepPair pair = pair_with(takes.alignment(), {step.step, 0});
   pair.a = step;
@@ -207,14 +244,24 @@ Sheet panels_sheet(const FigureSpec& spec, Takes& takes, const Look& look) {
   const std::vector<const Trace*> runs(steps.size(), &trace);
   const std::vector<std::string> phases = phases_of(trace);
   const bool by_phase = shows_phases(spec, takes);
+  std::vector<TraceStep> told;
+  for (const StepNumber step : steps) told.push_back(told_step(takes.figure(step)));
+  const Names names = names_of(told);
   PanelBand band{banner_of(trace), panels_text(spec, takes), trace.goal};
   for (const StepNumber step : steps) band.own_sentences.push_back(takes.figure(step).sentence);
   return lay_out_panels(runs, band, look, [&](std::size_t i) {
     const Figure figure = takes.figure(steps[i]);
-    const std::string heading = by_phase
-                                    ? numbered(figure.phase, phases)
-                                    : trace.wording.say("figure.panel", arg("number", text_of(steps[i])));
-    return SheetPanel{.figure = figure, .heading = heading, .note = note_of(figure), .ring = {}};
+    const std::string number = trace.wording.say("figure.panel", arg("number", text_of(steps[i])));
+    std::string note = note_of(figure);
+    std::string heading = number;
+    if (by_phase) {
+      heading = numbered(figure.phase, phases);
+    } else if (!names.empty()) {
+      if (note == names[i]) note = news_of(figure);
+      note = note.empty() ? number : number + ", " + note;
+      heading = names[i];
+    }
+    return SheetPanel{.figure = figure, .heading = std::move(heading), .note = std::move(note), .ring = {}};
   });
 }
 
@@ -230,26 +277,26 @@ Sheet compared_sheet(const FigureSpec& spec, Takes& takes, StepNumber step, cons
   const Trace &of_a = *a.trace, &of_b = *b.trace;
   const std::array runs{&of_a, &of_b};
   const Wording& wording = of_a.wording;
-  const PanelBand band{banner_of(of_a, of_b),
-                       joined(wording, a.position, b.position),
-                       "",
-                       {of_a.longest_sentence, of_b.longest_sentence}};
   const bool results = both_right(spec, takes) && step == StepNumber{takes.last(), 0};
+  const PanelBand band{.banner = banner_of(of_a, of_b),
+                       .position = joined(wording, a.position, b.position),
+                       .sentence = "",
+                       .own_sentences = {of_a.longest_sentence, of_b.longest_sentence},
+                       .counted = results && !(of_a.counts.empty() && of_b.counts.empty())};
   const auto side = [&](const Figure& figure, const Figure& other) {
     const auto ring = parts ? place_of_difference(figure, other) : std::nullopt;
-    const std::string own = results && !figure.trace->counts.empty()
-                                ? fmt::format("{}", fmt::join(figure.trace->counts, ", "))
-                                : told_step(figure).note;
-    const std::string note = ring ? wording.say("figure.parting")
-                             : !own.empty()
-                                 ? own
-                                 : wording.say("figure.panel", arg("number", text_of(figure.number)));
+    const std::string own = told_step(figure).note;
+    const std::string number = wording.say("figure.panel", arg("number", text_of(figure.number)));
+    const std::string note = ring                           ? wording.say("figure.parting")
+                             : !own.empty() || band.counted ? own
+                                                            : number;
     return SheetPanel{.figure = figure,
                       .heading = name_beside(*figure.trace, *other.trace),
                       .note = note,
                       .faulty = !figure.trace->faulty.empty(),
                       .parts = ring.has_value(),
-                      .ring = ring};
+                      .ring = ring,
+                      .counts = results ? counts_of(*figure.trace) : Counts{}};
   };
   return lay_out_panels(runs, band, look, [&](std::size_t i) { return i == 0 ? side(a, b) : side(b, a); });
 }
