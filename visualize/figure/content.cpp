@@ -15,6 +15,9 @@
 namespace gradus {
 namespace {
 
+/// Ids of marks that show a part of the drawing once more, larger: where many drawings are cut, that may go.
+constexpr std::string_view aside_prefix = "aside ";
+
 /// Whether letters of a text reach below its line.
 bool descends(std::string_view text) { return text.find_first_of("gjpqyQ,;()[]/") != std::string_view::npos; }
 
@@ -23,7 +26,7 @@ class Survey {
   explicit Survey(const Window& cells) : lower_(dvec2(cells.lower) - 0.5), upper_(dvec2(cells.upper) + 0.5) {}
 
   void add(const Mark& mark) {
-    const bool counts = mark.role != Role::guide;
+    const bool counts = mark.role != Role::guide && !mark.id.starts_with(aside_prefix);
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
       add(stroke->a, counts);
       add(stroke->b, counts);

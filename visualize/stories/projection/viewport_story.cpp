@@ -192,6 +192,7 @@ class Story {
                           {"row", pixel.y},
                           {"width", subject_.map.picture.x},
                           {"height", subject_.map.picture.y}},
+                .note = words_.say("landed", {{"name", name()}}),
                 .row = {name(), pixels_text(place.x), pixels_text(place.y),
                         now.pixel ? Said(pixel) : words_.say("outside")},
                 .key = name(),

@@ -337,21 +337,30 @@ TEST(Compare, OfTwoRightRunsShowsTheirResultsWithoutARing) {
   }
 }
 
+std::string text_in(const Sheet& sheet, std::string_view id) {
+  const TextShape* found = test::find_text(sheet, id);
+  return found ? found->text : "";
+}
+
 TEST(Compare, OfTwoRightRunsSaysWhatTheyTook) {
-  const auto notes = [](const cli::FigureSpec& spec) {
+  const auto counts = [](const cli::FigureSpec& spec) {
     const Sheet sheet = sheet_for(spec);
-    const auto text = [&](std::string_view id) {
-      const TextShape* found = test::find_text(sheet, id);
-      return found ? found->text : "";
-    };
-    return std::vector{text("panel 1 note"), text("panel 2 note")};
+    std::vector<std::string> texts;
+    for (const int panel : {1, 2}) {
+      for (int i = 1; has(sheet, fmt::format("panel {} count {}", panel, i)); ++i) {
+        const std::string id = fmt::format("panel {} count {}", panel, i);
+        texts.push_back(text_in(sheet, id) + " " + text_in(sheet, id + " value"));
+      }
+    }
+    test::expect_texts_apart(sheet);
+    return texts;
   };
   // The default line crosses all four borders
-  EXPECT_THAT(notes(spec_of("cohen_sutherland_2d", {{"compare", "liang_barsky"}})),
-              testing::ElementsAre("cuts: 4", "borders tested: 4"));
-  // Nine steps along x, a test each; for the rest of the analyser's counts its long name leaves no room
-  EXPECT_THAT(notes(spec_of("bresenham_line", {{"compare", "dda"}}, {{"to", "9,4"}})),
-              testing::ElementsAre("tests: 9", "divisions: 1"));
+  EXPECT_THAT(counts(spec_of("cohen_sutherland_2d", {{"compare", "liang_barsky"}})),
+              testing::IsSupersetOf({"cuts 4", "borders tested 4"}));
+  // Nine steps along x, a test each
+  EXPECT_THAT(counts(spec_of("bresenham_line", {{"compare", "dda"}}, {{"to", "9,4"}})),
+              testing::IsSupersetOf({"tests 9", "divisions 1", "additions 9", "roundings 9"}));
 }
 
 TEST(Compare, CountsAreOfTheWholeRun) {
@@ -373,6 +382,43 @@ TEST(Panels, OfAMazeShowAllOfIt) {
   const Sheet sheet = sheet_for(spec_of("flood_fill", {{"panels", "phases"}}));
   EXPECT_FALSE(has(sheet, "panel 1 overview frame"));
   for (int i = 1; i <= 6; ++i) EXPECT_TRUE(has(sheet, fmt::format("panel {} cell 9,6", i))) << i;
+}
+
+TEST(Panels, AreCalledByWhatTellsThemApart) {
+  const Sheet faces = sheet_for(spec_of("z_buffer", {{"panels", "2,4,6"}}));
+  EXPECT_EQ(text_in(faces, "panel 1 heading"), "A drawn");
+  EXPECT_EQ(text_in(faces, "panel 1 note"), "step 2");
+  EXPECT_EQ(text_in(faces, "panel 3 heading"), "C drawn");
+  // Not all of these borders are another one
+  const Sheet borders = sheet_for(spec_of("liang_barsky", {{"panels", "1,2,3,3"}}));
+  EXPECT_EQ(text_in(borders, "panel 1 heading"), "step 1");
+  const Sheet apart = sheet_for(spec_of("liang_barsky", {{"panels", "1,2,3"}}));
+  EXPECT_EQ(text_in(apart, "panel 1 heading"), "left");
+  EXPECT_THAT(text_in(apart, "panel 1 note"), testing::StartsWith("step 1"));
+}
+
+TEST(Panels, OfOnePhaseAreItsStepsWithNotes) {
+  const Sheet faces = sheet_for(spec_of("z_buffer", {{"panels", "phases"}}));
+  EXPECT_EQ(text_in(faces, "panel 1 heading"), "A drawn");
+  EXPECT_EQ(frames_in(faces).size(), 3u);
+}
+
+TEST(Panels, HaveALegendOfWhatIsSeenInThem) {
+  // The section along a row lies beside the grid, where the panels are cut
+  const Sheet faces = sheet_for(spec_of("z_buffer", {{"panels", "2,4,6"}}));
+  EXPECT_TRUE(has(faces, "legend text input"));
+  EXPECT_FALSE(has(faces, "legend text accepted")) << "its depths so far";
+}
+
+TEST(Panels, OfTheViewportAreFilledByBothFrames) {
+  const Sheet sheet = sheet_for(spec_of("viewport", {{"panels", "phases"}}));
+  double widths = 0;
+  for (const char* frame : {"panel 1 window", "panel 1 picture"}) {
+    const auto found = std::ranges::find(sheet.shapes, frame, &Shape::id);
+    ASSERT_NE(found, sheet.shapes.end()) << frame;
+    widths += extents_of(*found).width;
+  }
+  EXPECT_GE(widths, 0.5 * frames_in(sheet)[0].width) << "without the pixel that is enlarged below them";
 }
 
 TEST(Panels, SayEachItsOwnWhereThatTakesNothingOfThem) {

@@ -179,9 +179,11 @@ class Drawing {
     return {shown.holds(p), plane_.at(clamped_to(shown, p))};
   }
   void add_plane(View& view, const std::vector<Fate>& fates, std::size_t current) const {
-    view.add(
-        {"caption plane", Role::guide,
-         Text{{plane_.place().centre().x, upper_place.upper.y + caption_gap}, words_.say("caption.plane")}});
+    view.add({"caption plane", Role::guide,
+              Text{{plane_.place().centre().x, upper_place.upper.y + caption_gap},
+                   words_.say("caption.plane"),
+                   Align::centre,
+                   true}});
     add_axes(view, plane_, "plane", {words_.symbol("x"), words_.symbol("y")}, 4);
     const auto& [lower, upper] = subject_.map.window;
     view.add({"window", Role::boundary, Path{plane_.at(Extent{lower, upper}.corners()), true}});
@@ -217,7 +219,9 @@ class Drawing {
     const std::string rows = rows_down() ? "rows_down" : "rows_up";
     view.add({"caption " + rows, Role::guide,
               Text{{picture_.place().centre().x, upper_place.upper.y + caption_gap},
-                   words_.say("caption." + rows)}});
+                   words_.say("caption." + rows),
+                   Align::centre,
+                   true}});
     add_grid_lines(view, picture_, "picture", {{0, 0}, dvec2(subject_.map.picture)});
     view.add({"picture", Role::boundary, picture_.box({0, 0}, dvec2(subject_.map.picture))});
     if (!subject_.boxed) return;
@@ -314,11 +318,12 @@ class Drawing {
     add_grid_lines(view, enlarged, "enlarged",
                    {glm::max(shown.lower, dvec2{0, 0}), glm::min(shown.upper, size)});
     const Path box = enlarged.box(lower, lower + 1.0);
-    view.add({"enlarged pixel", Role::rejected, gradus::Area{{box.points}}});
-    view.add({"enlarged pixel outline", Role::rejected, box});
+    view.add({"aside enlarged pixel", Role::rejected, gradus::Area{{box.points}}});
+    view.add({"aside enlarged pixel outline", Role::rejected, box});
     const dvec2 at = enlarged.at(*fate.place);
-    view.add({"enlarged move", Role::rejected, Stroke{at, enlarged.at(centre(*fate.pixel)), true, true}});
-    view.add({"enlarged place", Role::current, Dot{at}});
+    view.add(
+        {"aside enlarged move", Role::rejected, Stroke{at, enlarged.at(centre(*fate.pixel)), true, true}});
+    view.add({"aside enlarged place", Role::current, Dot{at}});
     add_rule(view, enlarged, "caption.nearest", fate, *fate.pixel);
   }
   /// Above an enlarged part: what each coordinate becomes.
@@ -339,16 +344,16 @@ class Drawing {
     if (fate.pixel && !fate.moved()) {
       const Path box = enlarged.box(dvec2(*fate.pixel), dvec2(*fate.pixel) + 1.0);
       if (part.holds(centre(*fate.pixel))) {
-        view.add({"enlarged pixel", Role::accepted, gradus::Area{{box.points}}});
-        view.add({"enlarged pixel outline", Role::accepted, box});
+        view.add({"aside enlarged pixel", Role::accepted, gradus::Area{{box.points}}});
+        view.add({"aside enlarged pixel outline", Role::accepted, box});
       }
     }
     const dvec2 at = enlarged.at(place), corner(own);
-    add_measure(view, "enlarged across", enlarged.at({corner.x, place.y}), at, place.x - corner.x);
-    add_measure(view, "enlarged down", enlarged.at({place.x, corner.y}), at, place.y - corner.y);
+    add_measure(view, "aside enlarged across", enlarged.at({corner.x, place.y}), at, place.x - corner.x);
+    add_measure(view, "aside enlarged down", enlarged.at({place.x, corner.y}), at, place.y - corner.y);
     if (fate.nearest && subject_.rounding != Rounding::floor && part.holds(dvec2(*fate.nearest)))
-      view.add({"rounding", Role::accepted, Stroke{at, enlarged.at(dvec2(*fate.nearest)), true}});
-    view.add({"enlarged place", Role::current, Dot{at}});
+      view.add({"aside rounding", Role::accepted, Stroke{at, enlarged.at(dvec2(*fate.nearest)), true}});
+    view.add({"aside enlarged place", Role::current, Dot{at}});
     if (!fate.nearest) return;
     const std::string_view rule = subject_.rounding == Rounding::floor ? "caption.floor" : "caption.nearest";
     add_rule(view, enlarged, rule, fate, *fate.nearest);
