@@ -102,10 +102,14 @@ std::optional<Runs> runs_over(const Image& ground, const Image& image) {
 /// The latest pictures of a document.
 class SharedPictures {
  public:
-  /// One that lies below the image, and what the image has over it.
-  std::pair<cairo_surface_t*, Runs> split(const Image& image) {
+  /// One that lies below the image, and what the image has over it: nothing where it is smoothed as a whole.
+  std::pair<cairo_surface_t*, Runs> split(const Image& image, bool smooth) {
     for (auto known = kept_.begin(); known != kept_.end(); ++known) {
-      std::optional<Runs> over = known->image == image ? Runs{} : runs_over(known->image, image);
+      std::optional<Runs> over;
+      if (known->image == image)
+        over = Runs{};
+      else if (!smooth)
+        over = runs_over(known->image, image);
       if (!over) continue;
       std::rotate(kept_.begin(), known, known + 1);
       return {kept_.front().pixels.get(), *std::move(over)};
@@ -298,7 +302,7 @@ class Painter {
     if (shape.image.width() == 0 || shape.image.height() == 0) return;
     const Image pixels = pixels_of(shape, theme_);
     if (!shared_) return draw(shape, surface_of(pixels).get());
-    const auto [ground, over] = shared_->split(pixels);
+    const auto [ground, over] = shared_->split(pixels, shape.smooth);
     draw(shape, ground);
     in_pixels_of(shape, [&] {
       for (const auto& [color, runs] : over) {
