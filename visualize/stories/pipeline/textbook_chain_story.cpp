@@ -1,6 +1,7 @@
 // The story of the textbook chain: a small model's data before and after each stage, and one triangle and one
 // pixel followed through all eight.
 
+#include "stories/given_model.hpp"
 #include "stories/parameters.hpp"
 #include "stories/pipeline/textbook_chain/run.hpp"
 #include "stories/pipeline/textbook_chain/tour.hpp"
@@ -54,11 +55,10 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
   const std::size_t asked = number_of(arguments.text("stage"));
   const std::size_t listed = asked == 0 ? exchanged.stage : asked;
   const std::size_t last = asked == 0 ? exchanged.end : asked;
-  const std::string model = arguments.has("model") ? arguments.text("model") : "";
   list(narrator, listed, exchanged);
-  narrator.subtitle("subtitle", {{"model", model.empty() ? std::string(own_model) : model},
-                                 {"width", size.width},
-                                 {"height", size.height}});
+  narrator.subtitle(
+      "subtitle",
+      {{"model", name_of_model(arguments, own_model)}, {"width", size.width}, {"height", size.height}});
   Grid& grid = narrator.trace().grid;
   const ChainPaper paper(size);
   // A pixel by its upper left corner in the picture that comes out

@@ -8,7 +8,7 @@
 #include "core/arithmetic/exact_scalar.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "scene/camera/framing.hpp"
-#include "scene/models/obj.hpp"
+#include "stories/given_model.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
 namespace gradus::textbook_chain {
@@ -18,26 +18,9 @@ using namespace pipeline;
 
 constexpr double radians_a_degree = 3.141592653589793 / 180;
 
-bool names_a_model(const Arguments& arguments) {
-  return arguments.has("model") && !arguments.text("model").empty();
-}
-
 /// Whether the project's own model is shown, named or not.
 bool shows_own_model(const Arguments& arguments) {
   return !names_a_model(arguments) || arguments.entry("model").content == shipped_model(own_model);
-}
-
-Mesh mesh_of(const Arguments& arguments) {
-  if (names_a_model(arguments)) {
-    const Arguments::Entry& entry = arguments.entry("model");
-    const auto open = [&](const std::string& name) {
-      const auto found = entry.libraries.find(name);
-      return found == entry.libraries.end() ? std::nullopt : std::optional(found->second);
-    };
-    return parse_obj(entry.content, entry.text, open).mesh;
-  }
-  const auto open = [](const std::string& name) { return std::optional(std::string(shipped_model(name))); };
-  return parse_obj(shipped_model(own_model), std::string(own_model), open).mesh;
 }
 
 /// The camera that is placed for the model, or the one that looks where the arguments say.
@@ -263,7 +246,7 @@ const Shaded* Run::shaded_at(ivec2 pixel) const {
 }
 
 Scene scene_of(const Arguments& arguments, Fault fault) {
-  Mesh mesh = mesh_of(arguments);
+  Mesh mesh = given_model(arguments, own_model);
   if (const std::int64_t count = triangle_count(mesh); count > most_triangles) {
     refuse("model",
            "expected a small model of at most {} triangles, for each is drawn "
