@@ -9,6 +9,7 @@
 #include "stories/visibility/back_face_culling/costs_story.hpp"
 #include "stories/visibility/back_face_culling/drawing.hpp"
 #include "stories/visibility/back_face_culling/methods.hpp"
+#include "stories/visibility/back_face_culling/pictures.hpp"
 
 namespace gradus::back_face_culling {
 namespace {
@@ -275,21 +276,13 @@ void set_up(Narrator& narrator, const Subject& subject, By by, bool faulty) {
                    {Role::result, "result"}});
 }
 
-/// Every corner must have its place in the picture; behind the eye it has one, too.
-void require_places(const Arguments& arguments, const Subject& subject, bool behind_too) {
-  if (subject.depths_are([&](double w) { return behind_too ? w != 0 : w > 1e-6 * subject.radius; })) return;
-  refuse(arguments, {"eye", "target", "faces"},
-         behind_too ? "corners in front of the eye or behind it expected, found one beside it"
-                    : "corners in front of the eye expected, found one behind it: clip first");
-}
-
 template <By by, auto method, bool faulty = false>
 void tell_method(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   set_up(narrator, subject, by, faulty);
   // A determinant needs no division; by mistake it comes after one
   if (by == By::area || (by == By::determinant && faulty))
-    require_places(narrator.arguments(), subject, by == By::determinant);
+    require_places(narrator.arguments(), subject, "faces", by == By::determinant);
   CullingStory story(narrator.words(), subject, by, faulty);
   const auto at = [&](dvec3 p) { return story.at(p); };
   narrator.handles("faces", at);
@@ -382,38 +375,50 @@ const TopicEntry& entry() {
        .chapter = "visibility",
        .aliases = {"backface culling", "back-face removal", "facing"},
        .summary = "faces that turn their backs to the eye are skipped, one test each",
-       .methods = {{.name = "normal_and_view",
-                    .standing = Standing::taught,
-                    .tell = tell_method<By::product, by_product>},
-                   {.name = "screen_area", .tell = tell_method<By::area, by_area>},
-                   {.name = "homogeneous", .tell = tell_method<By::determinant, by_determinant>},
-                   {.name = "by_cost", .tell = tell_costs, .function = "screen_area"},
-                   {.name = "first_three_corners",
-                    .standing = Standing::faulty,
-                    .tell = tell_method<By::product, by_three, true>},
-                   {.name = "eye_space_normal",
-                    .standing = Standing::faulty,
-                    .tell = tell_method<By::depth, by_depth, true>},
-                   {.name = "after_division",
-                    .standing = Standing::faulty,
-                    .tell = tell_method<By::determinant, by_division, true>},
-                   {.name = "misprinted_shoelace",
-                    .standing = Standing::faulty,
-                    .tell = tell_method<By::area, by_misprint, true>},
-                   {.name = "six_products",
-                    .standing = Standing::faulty,
-                    .tell = tell_method<By::area, by_six, true>}},
+       .methods =
+           {{.name = "normal_and_view",
+             .standing = Standing::taught,
+             .tell = tell_method<By::product, by_product>,
+             .unread = {"model"}},
+            {.name = "screen_area", .tell = tell_method<By::area, by_area>, .unread = {"model"}},
+            {.name = "homogeneous",
+             .tell = tell_method<By::determinant, by_determinant>,
+             .unread = {"model"}},
+            {.name = "of_a_model", .tell = tell_model, .function = "normal_and_view", .unread = {"faces"}},
+            {.name = "by_cost", .tell = tell_costs, .function = "screen_area", .unread = {"model"}},
+            {.name = "first_three_corners",
+             .standing = Standing::faulty,
+             .tell = tell_method<By::product, by_three, true>,
+             .unread = {"model"}},
+            {.name = "eye_space_normal",
+             .standing = Standing::faulty,
+             .tell = tell_method<By::depth, by_depth, true>,
+             .unread = {"model"}},
+            {.name = "after_division",
+             .standing = Standing::faulty,
+             .tell = tell_method<By::determinant, by_division, true>,
+             .unread = {"model"}},
+            {.name = "misprinted_shoelace",
+             .standing = Standing::faulty,
+             .tell = tell_method<By::area, by_misprint, true>,
+             .unread = {"model"}},
+            {.name = "six_products",
+             .standing = Standing::faulty,
+             .tell = tell_method<By::area, by_six, true>,
+             .unread = {"model"}}},
        .default_method = "normal_and_view",
        .columns = {{"face", false}, {"N"}, {"V"}, {"product"}, {"side", false}},
        .counts = {"NormalFound", "ViewTaken", "Judged"},
        .parameters = {faces,
+                      {"model", ParameterType::model, "", "MODEL.obj",
+                       "what of_a_model culls, brought to a radius of 1.5 round 0,0,0; a cow if not given"},
                       parameters::numbers("eye", "2,1.8,2.9", "3,4,5", "where the eye is", parameters::xyz,
                                           sizes),
                       parameters::instead_of("eye", faces_subject::towards_parameter("")),
                       parameters::numbers("target", "0,0,0", "0,1,0",
                                           "what the eye looks at: the middle of its picture", parameters::xyz,
                                           sizes)},
-       .examples = {"--eye 3,0,0.5", "--method screen_area", "--towards 1,2,3"},
+       .examples = {"--eye 3,0,0.5", "--method screen_area", "--towards 1,2,3", "--method of_a_model"},
        .checking = &checking()});
   return topic;
 }

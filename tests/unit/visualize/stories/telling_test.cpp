@@ -72,8 +72,7 @@ bool asked_for_by_rule(std::string_view own) {
          own.starts_with("column.");
 }
 
-/// A run whose words are of its own: a topic with arguments, and for the pipeline what its model's file
-/// holds.
+/// A run whose words are of its own: a topic with arguments, and what its model's file holds, if it has one.
 struct Rare {
   std::string topic;
   std::vector<Argument> given;
@@ -97,6 +96,9 @@ std::vector<Rare> rare_runs() {
       {"affine_3d", {{"orders", "one"}}},
       {"affine_3d", {{"factors", "rotate 30 about x; rotate 20 about x"}}},
       {"affine_3d", {{"method", "decomposition"}, {"axis", "1,2,3"}}},
+      {"back_face_culling",
+       {{"method", "of_a_model"}, {"towards", "0,0,-1"}},
+       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
       {"bresenham_line", {{"to", "5,0"}}},
       {"bresenham_line", {{"to", "1,2"}}},
       {"bresenham_line", {{"method", "dda"}, {"to", "0,0"}}},

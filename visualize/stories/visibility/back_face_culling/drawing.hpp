@@ -53,8 +53,8 @@ struct Subject {
   bool eye_is_near() const { return !distant && length_between(dvec3(eye), middle) <= 4.5 * radius; }
 };
 
-inline Subject subject_of(const Arguments& arguments) {
-  Subject subject{faces_subject::faces_of(arguments)};
+inline Subject subject_of(const Arguments& arguments, std::vector<NamedFace> faces) {
+  Subject subject{std::move(faces)};
   if (const auto towards = arguments.place("towards")) {
     const faces_subject::Reader reader = faces_subject::reader_of(arguments);
     subject.distant = true;
@@ -69,6 +69,18 @@ inline Subject subject_of(const Arguments& arguments) {
   for (const Ring& ring : subject.rings)
     subject.view.push_back(mapped(ring, [&](dvec3 p) { return subject.in_view(p); }));
   return subject;
+}
+inline Subject subject_of(const Arguments& arguments) {
+  return subject_of(arguments, faces_subject::faces_of(arguments));
+}
+
+/// Every corner must have its place in the picture; behind the eye it has one, too.
+inline void require_places(const Arguments& arguments, const Subject& subject, std::string_view what,
+                           bool behind_too) {
+  if (subject.depths_are([&](double w) { return behind_too ? w != 0 : w > 1e-6 * subject.radius; })) return;
+  refuse(arguments, {"eye", "target", what},
+         behind_too ? "corners in front of the eye or behind it expected, found one beside it"
+                    : "corners in front of the eye expected, found one behind it: clip first");
 }
 
 /// How a face looks by now.
