@@ -112,5 +112,16 @@ TEST(CullingStory, ASquareFillsItsPictureOnceAndIsGoneFromBehind) {
   EXPECT_NE(back.result.find("135424 show the inside of an open model"), std::string::npos) << back.result;
 }
 
+// It has as many backs as fronts in each pixel, as any closed body, but the backs are nearer.
+TEST(CullingStory, ABodyTurnedInsideOutDoesNotKeepItsPicture) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const Told outward =
+      told("body.obj", corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", {"towards", "1,2,3"});
+  EXPECT_NE(outward.result.find("the same"), std::string::npos) << outward.result;
+  const Told inward =
+      told("body.obj", corners + "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n", {"towards", "1,2,3"});
+  EXPECT_NE(inward.result.find("show the inside"), std::string::npos) << inward.result;
+}
+
 }  // namespace
 }  // namespace gradus

@@ -3,6 +3,7 @@
 // drawn, beside each other, and below each picture what it took.
 
 #include <array>
+#include <map>
 
 #include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
 #include "stories/given_model.hpp"
@@ -37,6 +38,25 @@ inline std::vector<NamedFace> placed_triangles(const Mesh& mesh, bool turned) {
   return triangles;
 }
 
+/// Whether triangles are the skin of bodies: each side is another one's as well, the other way round, and in
+/// all they hold a volume, seen from outside.
+inline bool are_closed(const std::vector<Ring>& triangles) {
+  using Place = std::array<double, 3>;
+  std::map<std::pair<Place, Place>, int> sides;
+  double volume = 0;
+  for (const Ring& ring : triangles) {
+    volume += glm::dot(ring[0], glm::cross(ring[1], ring[2]));
+    for (const auto& [a, b] : sides_of(ring)) {
+      const Place from{a.x, a.y, a.z}, to{b.x, b.y, b.z};
+      if (from < to)
+        ++sides[{from, to}];
+      else
+        --sides[{to, from}];
+    }
+  }
+  return volume > 0 && std::ranges::all_of(sides, [](const auto& side) { return side.second == 0; });
+}
+
 /// Triangles rasterized with a depth buffer, rows upwards. A pixel has 3 x 3 samples; the middle one is its
 /// centre, by which it is covered or not.
 class Raster {
@@ -55,7 +75,6 @@ class Raster {
       if (p.x % 3 == 1 && p.y % 3 == 1) ++written_;
       Sample& sample = samples_[static_cast<std::size_t>(p.y * across + p.x)];
       const double near = glm::dot(triangle_coverage::barycentric(weights), nearness);
-      sample.left += front ? -1 : 1;
       if (near > sample.nearness) {
         sample.nearness = near;
         sample.triangle = triangle;
@@ -65,14 +84,13 @@ class Raster {
 
   /// Pixels that were written, again wherever a triangle covers one that another has covered.
   std::int64_t written() const { return written_; }
-  /// Pixels that show the inside of an open model: the nearest triangle turns its back, and the sight line
-  /// doesn't leave as often as it enters. Near the rim of a closed one the first alone may come of rounding.
+  /// Pixels where the nearest triangle turns its back; near the rim of a closed model it may by rounding.
   std::int64_t inside() const {
     std::int64_t count = 0;
     for (ivec2 p{0, 0}; p.y < side_; ++p.y) {
       for (p.x = 0; p.x < side_; ++p.x) {
         const Sample& sample = this->sample(3 * p + 1);
-        count += sample.left != 0 && !fronts_[static_cast<std::size_t>(sample.triangle)];
+        count += sample.covered() && !fronts_[static_cast<std::size_t>(sample.triangle)];
       }
     }
     return count;
@@ -97,7 +115,6 @@ class Raster {
   struct Sample {
     double nearness = -std::numeric_limits<double>::infinity();
     std::int32_t triangle = -1;  ///< the nearest one
-    std::int32_t left = 0;       ///< how often the sight line leaves the model, less how often it enters
     bool covered() const { return triangle >= 0; }
   };
   const Sample& sample(ivec2 p) const { return samples_[static_cast<std::size_t>(p.y * 3 * side_ + p.x)]; }
@@ -200,7 +217,7 @@ class ModelStory {
       raster.add(corners, nearness(i), light(k, i), signs_[i] > 0);
     }
     taken.pixels = raster.written();
-    taken.inside = raster.inside();
+    taken.inside = are_closed(subject_.rings) ? 0 : raster.inside();
     const auto note = [&](std::string_view what, std::int64_t n, double below) {
       shelf_.mark(k, std::string(what), Role::guide,
                   Text{shelf_.on_paper(k, {0.5 * side, -below}),
@@ -216,7 +233,7 @@ class ModelStory {
                  .words = {{"n", taken.triangles}, {"all", signs_.size()}, {"pixels", taken.pixels}},
                  .row = {names_[k], taken.triangles, taken.pixels},
                  .key = std::string(keys[k]),
-                 .phase = std::string(keys[k])});
+                 .phase = names_[k]});
     return taken;
   }
 
