@@ -157,7 +157,7 @@ class ModelStory {
     shelf_.start({.text = "model", .words = {{"model", model}, {"all", signs_.size()}}});
     const Taken all = take(0, "for (auto i : numbers_of(faces))", [](int) { return true; });
     const Taken away = take(1, "int sign = sign_of(dot", [](int sign) { return sign <= 0; });
-    const Taken drawn = take(2, "draw(i)", [](int sign) { return sign > 0; });
+    const Taken drawn = take(2, "int sign = sign_of(dot", [](int sign) { return sign > 0; });
     const double saved =
         static_cast<double>(away.pixels) / static_cast<double>(std::max(all.pixels, std::int64_t{1}));
     shelf_.finish({.text = all.inside > 0 ? "model.finished.open" : "model.finished",
@@ -204,7 +204,8 @@ class ModelStory {
     return linear_from_srgb8(inks[k]) * (0.35F + 0.65F * cosine) + LinearRgb(highlights[k] * cosine * cosine);
   }
 
-  /// The step of the k-th picture, of all triangles with such a sign. decides: the line that picks them.
+  /// The step of the k-th picture, of all triangles with such a sign. decides: the line by which they are
+  /// told.
   template <class Shows>
   Taken take(std::size_t k, std::string_view decides, const Shows& shows) {
     Raster raster(side * fine);
