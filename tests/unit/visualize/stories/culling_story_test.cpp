@@ -56,7 +56,7 @@ Told told_of_shipped(const std::string& model, const Argument& viewer) {
 }
 
 TEST(CullingStory, TrianglesThatTurnAwayAreThoseOfFacesWhoseNormalsDo) {
-  for (const std::string model : {"letter_f.obj", "ball.obj", "house.obj"}) {
+  for (const std::string model : {"letter_f.obj", "icosphere.obj", "house.obj"}) {
     const auto none = [](const std::string&) { return std::optional<std::string>(); };
     const Mesh mesh = pipeline::parse_obj(shipped_model(model), model, none).mesh;
     for (const dvec3 towards : {dvec3{1, 2, 3}, dvec3{-3, 1, 2}, dvec3{5, -4, -7}}) {
@@ -77,7 +77,7 @@ TEST(CullingStory, TrianglesThatTurnAwayAreThoseOfFacesWhoseNormalsDo) {
 
 // A sight line leaves a closed body as often as it enters it: each pixel has as many backs as fronts.
 TEST(CullingStory, OfAClosedModelHalfThePixelsAreSaved) {
-  for (const std::string model : {"spot.obj", "ball.obj", "house.obj", "letter_f.obj"}) {
+  for (const std::string model : {"spot.obj", "icosphere.obj", "house.obj", "letter_f.obj"}) {
     for (const Argument& viewer : {Argument{"eye", "20,18,29"}, Argument{"eye", "-9,4,12"},
                                    Argument{"towards", "3,1,-2"}, Argument{"towards", "0,1,0"}}) {
       SCOPED_TRACE(model + " " + viewer.name + " " + viewer.value);
