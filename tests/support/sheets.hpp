@@ -96,7 +96,6 @@ inline bool is_mark(const Shape& shape) {
   if (const auto* image = std::get_if<ImageShape>(&shape.what)) return image->smooth;
   if (std::holds_alternative<TextShape>(shape.what) || std::holds_alternative<AreaShape>(shape.what))
     return false;
-  if (std::holds_alternative<ImageShape>(shape.what)) return true;  // a Picture, which has tones of its own
   const std::optional<Role> role = role_of(shape);
   return role && *role != Role::guide && shape.id != "centres";
 }

@@ -17,7 +17,7 @@ struct PictureLit {
 /// What there is to see.
 class Room {
  public:
-  static constexpr int fine = 8;  ///< pixels a cell of the drawing
+  static constexpr int fine = 6;  ///< pixels a cell of the drawing
   static constexpr int columns = 50 * fine, rows = 28 * fine;
 
   struct Hit {
