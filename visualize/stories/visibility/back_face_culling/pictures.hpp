@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "figure/tone_of.hpp"
 #include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
 #include "stories/given_model.hpp"
 #include "stories/listing.hpp"
@@ -106,9 +107,7 @@ class Raster {
       ++covered;
     }
     if (covered == 0) return std::nullopt;
-    Rgba8 tone = srgb8_from_linear(sum / static_cast<float>(covered));
-    tone.a = static_cast<std::uint8_t>(255 * covered / 9);
-    return tone;
+    return in_share(tone_of(dvec3(sum) / double(covered)), covered / 9.0);
   }
 
  private:
