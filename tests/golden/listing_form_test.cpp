@@ -154,6 +154,8 @@ const std::vector<Shared>& shared_listings() {
        "the same methods side by side, on a star of lines or on the one given"},
       {"area_sampling/pixel_areas area_sampling/moving",
        "the same method on a shape, at one place or several"},
+      {"back_face_culling/normal_and_view back_face_culling/of_a_model",
+       "the same method on a whole model: its test tells the pictures apart"},
       {"back_face_culling/screen_area back_face_culling/by_cost",
        "the cheapest of the methods whose costs it shows"},
       {"cohen_sutherland_3d/correctly_rounded cohen_sutherland_3d/view_volume",
