@@ -29,9 +29,9 @@ std::vector<bool> front(std::span<const dvec2> points) {
   return kept;
 }
 
-std::vector<double> moved_apart(std::span<const double> wanted, double gap, double least, double most) {
+std::vector<double> moved_apart(std::span<const double> wanted, double apart, double least, double most) {
   const auto n = static_cast<double>(wanted.size());
-  if (n > 1) gap = std::min(gap, (most - least) / (n - 1));
+  if (n > 1) apart = std::min(apart, (most - least) / (n - 1));
   // Less i gaps each, places need only rise: those that fall are put together at their mean
   struct Group {
     double sum, count;
@@ -39,7 +39,7 @@ std::vector<double> moved_apart(std::span<const double> wanted, double gap, doub
   };
   std::vector<Group> groups;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    groups.push_back({wanted[i] - static_cast<double>(i) * gap, 1});
+    groups.push_back({wanted[i] - static_cast<double>(i) * apart, 1});
     while (groups.size() > 1 && groups.end()[-2].mean() > groups.back().mean()) {
       groups.end()[-2].sum += groups.back().sum;
       groups.end()[-2].count += groups.back().count;
@@ -49,20 +49,20 @@ std::vector<double> moved_apart(std::span<const double> wanted, double gap, doub
   std::vector<double> places;
   for (const Group& group : groups) {
     for (int k = 0; k < group.count; ++k) {
-      const double top = std::max(least, std::min(group.mean(), most - (n - 1) * gap));
-      places.push_back(top + static_cast<double>(places.size()) * gap);
+      const double top = std::max(least, std::min(group.mean(), most - (n - 1) * apart));
+      places.push_back(top + static_cast<double>(places.size()) * apart);
     }
   }
   return places;
 }
 
 std::vector<Style> styles_of(std::span<const Kind> methods) {
-  constexpr Role colours[] = {Role::current, Role::accepted, Role::measure, Role::candidate,
-                              Role::past,    Role::input,    Role::rejected};
+  constexpr Role roles[] = {Role::current, Role::accepted, Role::measure, Role::candidate,
+                            Role::past,    Role::input,    Role::rejected};
   constexpr Marker markers[] = {Marker::square, Marker::diamond, Marker::triangle, Marker::disc};
   std::vector<Style> free;
   for (const bool open : {false, true}) {
-    for (const Role colour : colours) free.push_back({colour, Marker::disc, open});
+    for (const Role colour : roles) free.push_back({colour, Marker::disc, open});
   }
   const auto take = [&](auto from, auto to, auto wanted) {
     const auto found = std::find_if(from, to, wanted);
