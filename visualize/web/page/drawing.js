@@ -12,7 +12,7 @@ function decodePicture(picture) {
 
 /** A picture as the address of an image. */
 const addresses = new WeakMap();
-function addressOf(picture) {
+function imageAddressOf(picture) {
   if (!addresses.has(picture)) {
     const canvas = html('canvas', {width: picture.width, height: picture.height});
     const context = canvas.getContext('2d'), image = context.createImageData(picture.width, picture.height);
@@ -299,7 +299,7 @@ class Drawing extends StillDrawing {
       y,
       width: Math.abs(b[0] - a[0]),
       height: Math.abs(b[1] - a[1]),
-      href: addressOf(picture),
+      href: imageAddressOf(picture),
       preserveAspectRatio: 'none',
       ...attributes
     }));
