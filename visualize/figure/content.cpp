@@ -39,8 +39,7 @@ class Survey {
         for (const dvec2 p : ring) add(p, false);
       }
     } else if (const Picture* picture = std::get_if<Picture>(&mark.shape)) {
-      for (const dvec2 p : {picture->lower, picture->upper})
-        add(p, true, picture->aside);
+      for (const dvec2 p : {picture->lower, picture->upper}) add(p, true, picture->aside);
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
       const double width = text_width(text->text, Face::sans, layout::text_size);
       const double left = text->align == Align::left ? 0 : text->align == Align::centre ? width / 2 : width;
