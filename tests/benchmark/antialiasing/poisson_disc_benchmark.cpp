@@ -92,7 +92,7 @@ Subject poisson_disc() {
           .item = "sample",
           .unit = "parts of a pixel",
           .measure = "samples",
-          .telling = "about 16 samples",
+          .telling = "about 256 samples",
           .cases = cases,
           .refined = true,
           .choice = {"bridson_batch", "the samples of bridson to the bit, in a fraction of its time"}};
