@@ -141,6 +141,26 @@ std::vector<const TraceStep*> evenly_spread(const std::vector<const TraceStep*>&
   return some;
 }
 
+/// Of steps with notes the most telling of each note, near the middle, where three notes or more are told
+/// apart; else all of them.
+std::vector<const TraceStep*> one_of_each_note(const std::vector<const TraceStep*>& steps) {
+  std::map<std::string_view, std::vector<const TraceStep*>> groups;
+  for (const TraceStep* step : steps) groups[step->note].push_back(step);
+  if (groups.size() < 3) return steps;
+  std::vector<const TraceStep*> some;
+  for (const auto& [note, group] : groups) {
+    const auto middle = std::ssize(group) / 2;
+    const auto rank = [&](std::ptrdiff_t i) {
+      return std::pair(-group[static_cast<std::size_t>(i)]->tells, std::abs(i - middle));
+    };
+    std::ptrdiff_t best = 0;
+    for (std::ptrdiff_t i = 1; i < std::ssize(group); ++i) best = rank(i) < rank(best) ? i : best;
+    some.push_back(group[static_cast<std::size_t>(best)]);
+  }
+  std::ranges::sort(some, {}, [](const TraceStep* step) { return step->number; });
+  return some;
+}
+
 std::vector<StepNumber> numbers_of(const std::vector<const TraceStep*>& steps) {
   std::vector<StepNumber> numbers;
   for (const TraceStep* step : steps) numbers.push_back(step->number);
@@ -198,13 +218,14 @@ std::vector<StepNumber> phase_steps(const Trace& trace, std::size_t most) {
   for (const TraceStep& step : trace.steps) {
     if (!is_whole(step)) continue;
     all.push_back(&step);
-    if (step.phase == set_up || step.phase == result) continue;
+    if (step.phase == result) continue;
+    if (!step.note.empty()) noted.push_back(&step);
+    if (step.phase == set_up) continue;
     if (!ends_of_phase.empty() && ends_of_phase.back()->phase == step.phase) ends_of_phase.pop_back();
     ends_of_phase.push_back(&step);
     between.push_back(&step);
-    if (!step.note.empty()) noted.push_back(&step);
   }
-  if (noted.size() > 1) between = noted;
+  if (noted.size() > 1) between = one_of_each_note(noted);
   if (ends_of_phase.size() > 1) return numbers_of(evenly_spread(ends_of_phase, most));
   const std::size_t most_of_one = trace.grid.axes ? 6 : 4;
   return numbers_of(evenly_spread(between.size() > 1 ? between : all, std::min(most, most_of_one)));

@@ -28,8 +28,8 @@ std::vector<StepNumber> milestones_of(const Trace& trace);
 
 /// A step for each part of the run, `most` at most, evenly spread: of each phase but the input's and the
 /// result's the last whole step; where there is one such phase alone, its whole steps (those with a note,
-/// where some have one), six on a grid and four on paper; where that is a single step, the input, too, and
-/// the result.
+/// where some have one: one of each where three or more are told apart), six on a grid and four on paper;
+/// where that is a single step, the input, too, and the result.
 std::vector<StepNumber> phase_steps(const Trace& trace, std::size_t most);
 
 /// The whole step in the middle of what is recorded.

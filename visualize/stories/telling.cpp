@@ -89,6 +89,14 @@ std::string Words::counted(std::string_view key, std::int64_t n, std::span<const
   return of(topic_, fmt::format("{}.{}", key, n == 1 ? "one" : "many"), all);
 }
 
+std::string Words::heading(std::string_view key, std::span<const Word> words) const {
+  for (const std::string_view part : {key, key.substr(0, key.find('.'))}) {
+    const std::string text = fmt::format("panel.{}", part);
+    if (wording_.has(fmt::format("{}.{}", topic_, text))) return say(text, words);
+  }
+  return "";
+}
+
 Decision yes_or_no(const Words& words, std::string_view question, std::initializer_list<Word> values,
                    bool yes, std::string_view if_yes, std::string_view if_no) {
   return {words.say(question, values),
@@ -150,9 +158,9 @@ void Board::put(ivec2 cell, Role role, std::string text, std::optional<Rgba8> co
   delta_.cells.push_back({cell, CellLook{role, std::move(text), color}});
 }
 
-void Board::look_at(ivec2 pixel, Role role) {
+void Board::look_at(ivec2 pixel, Role role, std::optional<Rgba8> color) {
   pointed_.push_back(pixel);
-  delta_.cells.push_back({pixel, CellLook{role, ""}});
+  delta_.cells.push_back({pixel, CellLook{role, "", color}});
 }
 
 void Board::mark(std::string id, Role role, decltype(Mark::shape) shape) {
@@ -326,6 +334,7 @@ void Narrator::describe(TraceStep& step, std::string_view type, Event event) {
     }
     step.sentence =
         event.count ? words_.counted(event.text, *event.count, words) : words_.say(event.text, words);
+    if (event.note.empty()) event.note = words_.heading(event.text, words);
   }
   step.note = std::move(event.note);
   step.decision = std::move(event.decides);

@@ -73,6 +73,9 @@ class Words {
                      std::initializer_list<Word> words = {}) const {
     return of(section, key, {words.begin(), words.size()});
   }
+  /// What heads the picture of a step that is told by this key: the topic's text "panel.<key>", or of the
+  /// part before its first dot. Empty: there is none.
+  std::string heading(std::string_view key, std::span<const Word> words) const;
   /// What the reader calls this symbol.
   std::string symbol(std::string_view name) const { return wording_.symbol(name); }
   /// The same of an axis: x, y, z, w.
@@ -106,11 +109,11 @@ struct Event {
   std::vector<Word> words{};            ///< what the sentence needs besides
   std::optional<std::int64_t> count{};  ///< the sentence is that of a number: "<text>.one", "<text>.many"
   std::string sentence{};               ///< a sentence that is put together; then there is no text
-  std::string note{};                   ///< its effect in two or three words: "8 → 9 corners"
-  std::vector<Said> row{};              ///< the row that the step produced, from the first column on
-  std::vector<Said> read{};             ///< the last row, completed
-  std::string key{};                    ///< what it is about: "4,2" for a pixel
-  std::string phase{};  ///< without it: set up for Started, result for Finished, main loop for others
+  std::string note{};        ///< its effect in two or three words: "8 → 9 corners"; else Words::heading
+  std::vector<Said> row{};   ///< the row that the step produced, from the first column on
+  std::vector<Said> read{};  ///< the last row, completed
+  std::string key{};         ///< what it is about: "4,2" for a pixel
+  std::string phase{};       ///< without it: set up for Started, result for Finished, main loop for others
   bool begins = false, ends = false;  ///< then it is told as Started and Finished are, for any type
   std::optional<Level> level{};       ///< without it: a step, arithmetic for a detail, idea for Finished
   std::optional<Decision> decides{};  ///< what this step decides, if it does
@@ -165,7 +168,7 @@ class Board {
   /// From now on nothing is in the cell.
   void bare(ivec2 cell) { delta_.cells.push_back({cell, std::nullopt}); }
   /// For this event alone the cell looks so; then as before.
-  void look_at(ivec2 pixel, Role role);
+  void look_at(ivec2 pixel, Role role, std::optional<Rgba8> color = {});
   /// For this event alone.
   void mark(std::string id, Role role, decltype(Mark::shape) shape);
   /// How much the figure of this event tells: that of the run is the one that tells most, of equals the

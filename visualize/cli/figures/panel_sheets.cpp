@@ -260,6 +260,9 @@ Sheet panels_sheet(const FigureSpec& spec, Takes& takes, const Look& look) {
       if (note == names[i]) note = news_of(figure);
       note = note.empty() ? number : number + ", " + note;
       heading = names[i];
+    } else if (!told[i].note.empty()) {
+      heading = number + ": " + note;
+      note = news_of(figure);
     }
     return SheetPanel{.figure = figure, .heading = std::move(heading), .note = std::move(note), .ring = {}};
   });

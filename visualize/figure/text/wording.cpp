@@ -137,6 +137,8 @@ std::string Wording::fill(std::string_view key, std::span<const NamedText> value
   return filled(key, store);
 }
 
+bool Wording::has(std::string_view key) const { return language_->has(key); }
+
 std::string_view Wording::text(std::string_view key) const {
   if (!notation_.rows) return language_->text(key);
   std::string of_rows(key);

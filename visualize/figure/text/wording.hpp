@@ -67,6 +67,8 @@ class Wording {
   /// All symbols that are renamed, sorted.
   std::vector<SymbolLabel> renamed() const;
 
+  /// Whether there is a text of this key.
+  bool has(std::string_view key) const;
   /// The text of this key with its values put in: say("figure.step", fmt::arg("number", "4")). Values and
   /// labels are taken as they are. Throws ContractViolation for a key that doesn't exist
   /// or a text that asks for another value.

@@ -96,13 +96,8 @@ class Story {
 
   void show(Board& board, const SignsShown&) {
     count(board);
-    // Two signs a light tint, three a full one
-    for (const int which : {3, 5, 6, 7}) {
-      const std::array<bool, 3> positive{(which & 1) != 0, (which & 2) != 0, (which & 4) != 0};
-      board.mark(fmt::format("region {}", which), Role::candidate,
-                 Area{{drawing_->region(positive)}, which == 7 ? 0 : 1});
-    }
-    for (const ivec2 p : pixels_of(subject_.window)) board.bare(p);
+    for (const ivec2 p : pixels_of(subject_.window))
+      board.look_at(p, Role::guide, seen_through(weights_at(edges_, p)));
     for (const auto& [signs, at] : drawing_->regions())
       board.mark("signs " + signs, Role::input, Text{at, signs});
   }
@@ -388,12 +383,14 @@ void tell_each_triangle(Narrator& narrator, const Subject& subject, const Run& r
   Story story(narrator.words(), subject, way);
   const auto watch = narrator.watcher(story);
   const bool alone = subject.triangles.size() == 1 && way != Way::expanded;
-  // After the edges of a triangle that stands alone, their functions one by one and their signs together
+  // After the first triangle's edges the signs of their functions, after those of one that stands alone
+  // also each function by itself
+  bool first = way != Way::expanded;
   const auto with_edges = [&]<class Step>(const Step& step, int line = __builtin_LINE(), const char* = {}) {
     watch(step, line);
     if constexpr (std::same_as<Step, Prepared>) {
       for (std::size_t i = 0; alone && i < 3; ++i) watch(EdgeShown{i}, line);
-      if (alone) watch(SignsShown{}, line);
+      if (std::exchange(first, false)) watch(SignsShown{}, line);
     }
   };
   for (std::size_t i = 0; i < subject.triangles.size(); ++i) {

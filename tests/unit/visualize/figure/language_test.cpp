@@ -187,7 +187,7 @@ std::pair<std::string, std::string> sources() {
 bool named_by_rule(std::string_view name) {
   const std::string_view kind = name.substr(0, name.find('.'));
   return name == "title" || name == "goal" || name == "symbols" || kind == "column" || kind == "method" ||
-         kind == "note" || kind == "legend" || kind == "counts";
+         kind == "note" || kind == "legend" || kind == "counts" || kind == "panel";
 }
 
 // Those of stories are all said, too: Telling.EverySentenceIsSaid.
@@ -222,6 +222,18 @@ TEST(Language, EveryTextIsUsed) {
     if (!used) unused.push_back(key);
   }
   EXPECT_EQ(unused, std::vector<std::string>());
+}
+
+TEST(Language, EveryPanelHeadsATextThatThereIs) {
+  const auto& texts = languages().front().texts();
+  for (const auto& [key, text] : texts) {
+    const std::size_t panel = key.find(".panel.");
+    if (panel == std::string::npos) continue;
+    const std::string headed = key.substr(0, panel + 1) + key.substr(panel + 7);
+    const auto found = texts.lower_bound(headed);
+    EXPECT_TRUE(found != texts.end() && (found->first == headed || found->first.starts_with(headed + ".")))
+        << key;
+  }
 }
 
 }  // namespace

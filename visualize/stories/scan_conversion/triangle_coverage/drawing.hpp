@@ -27,6 +27,19 @@ inline std::vector<ivec2> on_edges(const Subject& subject) {
   return ties;
 }
 
+/// White light through three sheets of glass, each on a half-plane: what reaches a centre with these weights.
+inline Rgba8 seen_through(const Weights& weights) {
+  constexpr std::array<Rgba8, 3> glass{Rgba8{248, 215, 235}, Rgba8{255, 238, 190}, Rgba8{205, 238, 225}};
+  int red = 255, green = 255, blue = 255;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (weights[i] <= 0) continue;
+    red = red * glass[i].r / 255;
+    green = green * glass[i].g / 255;
+    blue = blue * glass[i].b / 255;
+  }
+  return {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green), static_cast<std::uint8_t>(blue)};
+}
+
 class TriangleDrawing {
  public:
   TriangleDrawing(const Subject& subject, const Triangle& triangle)
@@ -69,13 +82,6 @@ class TriangleDrawing {
   /// The part of the frame where an edge function is above 0.
   std::vector<dvec2> above(std::size_t i) const {
     return above_0(frame_.corners(), [&](dvec2 p) { return sides_[i].at(p); });
-  }
-  /// The part of the frame where those of these functions are above 0, and no others.
-  std::vector<dvec2> region(const std::array<bool, 3>& positive) const {
-    std::vector<dvec2> ring = frame_.corners();
-    for (std::size_t i = 0; i < 3; ++i)
-      ring = above_0(ring, [&](dvec2 p) { return (positive[i] ? 1 : -1) * sides_[i].at(p); });
-    return ring;
   }
   /// Of each combination of signs a place for it, far from all lines, between a centre and its pixel's
   /// border.
