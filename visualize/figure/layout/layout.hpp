@@ -196,7 +196,7 @@ struct Obstacles {
   std::vector<Box> texts;                       ///< placed so far: nothing may overlap them
   std::vector<Box> ticks;                       ///< the axes' numbers and some space round them
   std::vector<Box> taken;                       ///< cells and dots that a label must not cover
-  std::vector<std::pair<Box, double>> crowded;  ///< cells that it should not, and how much
+  std::vector<std::pair<Box, double>> crowded;  ///< cells and pictures that it should not, how much
   std::vector<Segment<2, double>> strokes;
   std::vector<Segment<2, double>> leaders;  ///< drawn so far: nothing may cross them
 };

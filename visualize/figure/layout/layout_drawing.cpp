@@ -25,7 +25,8 @@ class DrawingLayout {
     draw_cell_grounds();
     draw_cell_colors();
     if (!figure_.canvas->plane()) {
-      draw_areas();  // a tint hides neither lines nor centres
+      for (const Mark& mark : trace_.backdrop) draw_ground(mark);  // a tint hides neither lines nor centres
+      for (const auto& [id, mark] : figure_.canvas->marks()) draw_ground(mark);
       draw_grid();
       if (at_.numbered) lay_out_axes(pen_, trace_.grid, at_, free_);
     }
@@ -248,14 +249,13 @@ class DrawingLayout {
     }
   }
 
-  void draw_areas() {
-    for (const Mark& mark : trace_.backdrop) draw_ground(mark);
-    for (const auto& [id, mark] : figure_.canvas->marks()) draw_ground(mark);
-  }
   void draw_ground(const Mark& mark) {
     if (const Area* area = std::get_if<Area>(&mark.shape)) draw_area(mark, *area);
     const Picture* picture = std::get_if<Picture>(&mark.shape);
-    if (picture && !(picture->aside && without_asides())) pen_.image(mark.id, image_in(frame_, *picture));
+    if (!picture || (picture->aside && without_asides())) return;
+    ImageShape shape = image_in(frame_, *picture);
+    free_.crowded.emplace_back(shape.box, 300);
+    pen_.image(mark.id, std::move(shape));
   }
   void draw_area(const Mark& mark, const Area& area) {
     std::vector<std::vector<dvec2>> rings;

@@ -294,15 +294,10 @@ class Drawing extends StillDrawing {
   }
   drawImage([ax, ay, bx, by, picture], attributes) {
     const a = toPixels(this.at, ax, ay), b = toPixels(this.at, bx, by), [x, y] = [0, 1].map((i) => Math.min(a[i], b[i]));
-    this.layers.areas.append(svg('image', {
-      x,
-      y,
-      width: Math.abs(b[0] - a[0]),
-      height: Math.abs(b[1] - a[1]),
-      href: imageAddressOf(picture),
-      preserveAspectRatio: 'none',
-      ...attributes
-    }));
+    const box = {x, y, width: Math.abs(b[0] - a[0]), height: Math.abs(b[1] - a[1])};
+    this.labels.crowded.push([box, 300]);
+    this.layers.areas.append(
+        svg('image', {...box, href: imageAddressOf(picture), preserveAspectRatio: 'none', ...attributes}));
   }
   drawDot([x, y], kind, look, attributes) {
     const [cx, cy] = toPixels(this.at, x, y);
@@ -395,11 +390,11 @@ class Drawing extends StillDrawing {
   }
   /** Those that stand through all steps come first and look only at what stands too, so that they keep still. */
   placeLabels(pending, cells, fixed) {
-    const {labels} = this, {strokes, taken} = labels, {cell, s} = this.at, {axes} = this.stage;
+    const {labels} = this, {strokes, taken, crowded} = labels, {cell, s} = this.at, {axes} = this.stage;
     const gap = axes ? cell / 2 + 10 * s : 13 * s;
-    Object.assign(labels, fixed);
+    Object.assign(labels, {...fixed, crowded: []});
     for (const label of pending.fixed) this.placeLabel(label, gap, axes ? cell : 2 * s);
-    Object.assign(labels, {strokes, taken});
+    Object.assign(labels, {strokes, taken, crowded});
     const quiet = {past: 60, boundary: 300, result: 60};
     for (const shown of cells) {
       if (shown[4]) continue;

@@ -37,7 +37,7 @@ class LabelPlacer {
   texts = [];    // boxes that nothing may touch
   ticks = [];    // the axes' numbers and some space round them
   taken = [];    // cells and dots that a label must not cover
-  crowded = [];  // [cell, weight]: those it had better not cover
+  crowded = [];  // [box, weight]: cells and pictures it had better not cover
   strokes = [];
   leaders = [];  // drawn so far: nothing may cross them
 

@@ -162,6 +162,29 @@ TEST(Layout, APictureIsCutAtTheBorderByWholePixels) {
   EXPECT_NEAR(a.bottom(), b.bottom(), 1e-9);
 }
 
+TEST(Layout, ALabelStaysOffAPicture) {
+  const std::vector<Mark> named{{"dot", Role::current, Dot{{5, 4}}},
+                                {"name", Role::current, Label{{5, 4}, "a name"}}};
+  const auto place_in = [](const Sheet& sheet) { return extents_of(*shape_called(sheet, "name")); };
+  const Box alone = place_in(sheet_of(pictured(named), 0));
+  int moved = 0;
+  const std::pair<dvec2, dvec2> rectangles[]{{{5.3, 1}, {11, 7}},  // right, left, above, below
+                                             {{-0.4, 1}, {4.7, 7}},
+                                             {{1, 4.3}, {9, 7}},
+                                             {{1, 0}, {9, 3.7}}};
+  for (const auto& [lower, upper] : rectangles) {
+    std::vector<Mark> marks = named;
+    marks.push_back({"picture", Role::result, Picture{lower, upper, eight_pixels()}});
+    const Sheet sheet = sheet_of(pictured(std::move(marks)), 0);
+    const Box text = place_in(sheet), picture = extents_of(*shape_called(sheet, "picture"));
+    const bool apart = text.right() <= picture.x || picture.right() <= text.x || text.bottom() <= picture.y ||
+                       picture.bottom() <= text.y;
+    EXPECT_TRUE(apart) << "picture from " << lower.x << ", " << lower.y;
+    moved += text.x != alone.x || text.y != alone.y;
+  }
+  EXPECT_GT(moved, 0) << "one of the four has its usual place";
+}
+
 // --- As JSON -----------------------------------------------------------------------------------------------
 
 TEST(Json, APictureHasItsRectangleAndItsPixels) {
