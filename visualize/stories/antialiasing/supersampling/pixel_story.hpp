@@ -13,7 +13,7 @@ class PixelStory {
       : words_(words),
         subject_(subject),
         margin_(std::max(0.3, static_cast<double>(reach_of(subject.filter, subject.n)) / subject.n)),
-        panel_({{1, 1}, {27, 27}}, shown(), Panel::Fit::same_scale, false) {}
+        panel_({{1, 1}, {27, 27}}, shown()) {}  // y down in the scene and on the paper
 
   static void set_paper(Narrator& narrator) { set_cells(narrator, {37, 28}); }
   StepNumber telling() const { return {telling_, 0}; }
