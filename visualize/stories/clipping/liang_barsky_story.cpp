@@ -14,6 +14,8 @@ namespace {
 constexpr std::array<std::string_view, 4> crossing_names{"inside", "outside", "enters", "leaves"};
 constexpr std::array<std::string_view, 4> crossing_texts{"crossing.inside", "crossing.outside",
                                                          "crossing.enters", "crossing.leaves"};
+constexpr std::array<std::string_view, 4> emptying_texts{"", "", "crossing.enters_late",
+                                                         "crossing.leaves_early"};
 constexpr std::array<std::string_view, 4> ordered_texts{"ordered.inside", "ordered.outside", "ordered.enters",
                                                         "ordered.leaves"};
 
@@ -49,7 +51,8 @@ class Story {
   }
   Event say(const Tested<double>& t) const {
     const Crossed& now = crossed_.back();
-    return {.text = crossing_texts[index(t.crossing)],
+    const bool nothing_left = now.crosses() && t.enter > t.leave;
+    return {.text = (nothing_left ? emptying_texts : crossing_texts)[index(t.crossing)],
             .facts = {{"border", std::string(name_of(t.border))},
                       {"p", t.p},
                       {"q", t.q},

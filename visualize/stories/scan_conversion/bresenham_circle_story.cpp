@@ -144,6 +144,7 @@ class Story {
                         : again_ > 0     ? "stepped_again"
                         : windowed_      ? "stepped_in_window"
                         : late_          ? "stepped_late"
+                        : is_aside()     ? "stepped_aside"
                                          : "stepped",
                 .facts = {{"from", s.from()},
                           {"at", s.at},
@@ -190,6 +191,7 @@ class Story {
   }
 
  private:
+  bool is_aside() const { return circle_.center != ivec2{0, 0}; }
   ivec2 pixel(ivec2 at) const { return pixel_of(circle_.center, octant_, at.x, at.y); }
   dvec2 point(dvec2 at) const { return point_of(circle_.center, octant_, at); }
   ivec2 clamped(ivec2 p) const {
