@@ -55,10 +55,10 @@ bool shows_phases(const FigureSpec& spec, const Takes& takes) {
   return spec.panels->phases && phases_of(takes.opening()).size() > 1;
 }
 
-/// "2 right border"; a phase that has its number already keeps it.
+/// "2. right border"; a phase that has its number already keeps it.
 std::string numbered(const std::string& phase, const std::vector<std::string>& phases) {
-  if (std::string_view("0123456789").find(phase.front()) != std::string_view::npos) return phase;
-  return fmt::format("{} {}", std::ranges::find(phases, phase) - phases.begin() + 1, phase);
+  if (phase.find_first_of("0123456789") != phase.npos) return phase;
+  return fmt::format("{}. {}", std::ranges::find(phases, phase) - phases.begin() + 1, phase);
 }
 
 /// What is new in the step's row: "code_b = 0000".
@@ -257,7 +257,8 @@ Sheet panels_sheet(const FigureSpec& spec, Takes& takes, const Look& look) {
     if (by_phase) {
       heading = numbered(figure.phase, phases);
     } else if (!names.empty()) {
-      if (note == names[i]) note = news_of(figure);
+      const bool has_values = names[i].find('=') != std::string::npos;
+      if (note == names[i]) note = has_values ? "" : news_of(figure);
       note = note.empty() ? number : number + ", " + note;
       heading = names[i];
     } else if (!told[i].note.empty()) {

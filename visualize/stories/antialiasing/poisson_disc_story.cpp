@@ -65,7 +65,6 @@ class DiscStory {
       event.words.push_back({"nearest", t.nearest});
       event.row[2] = t.nearest;
     }
-    if (!t.kept) event.row[0] = "";
     if (tries_ > 1 && t.inside)
       event.decides = yes_or_no(words_, "question", {{"radius", radius_}}, t.kept, "kept", "refused");
     return event;

@@ -191,7 +191,7 @@ class Story {
       const std::string name(1, "ABC"[i]);
       board.remove("corner " + name);
       const std::optional<dvec2> at = drawing_->beside_corner(i);
-      if (at && !subject_.crowded()) board.keep("corner " + name, Role::input, Text{*at, name});
+      if (at) board.keep("corner " + name, Role::input, Text{*at, name});
     }
   }
   void draw_all(Board& board) const {
@@ -216,7 +216,7 @@ class Story {
   /// Beside an edge stands its name, and its function's value at the pixel that is asked for.
   void name_edge(Board& board, std::size_t i, std::string_view value = {}) const {
     const auto place = drawing_->beside_edge(i);
-    if (!place || subject_.crowded()) return;
+    if (!place) return;
     const auto [at, is_left] = *place;
     const std::string text = value.empty() ? name(i) : fmt::format("{} = {}", name(i), value);
     const Align align = value.empty() ? Align::centre : is_left ? Align::right : Align::left;

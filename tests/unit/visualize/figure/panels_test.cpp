@@ -401,6 +401,14 @@ TEST(Panels, OfOnePhaseAreItsStepsWithNotes) {
   const Sheet faces = sheet_for(spec_of("z_buffer", {{"panels", "phases"}}));
   EXPECT_EQ(text_in(faces, "panel 1 heading"), "A drawn");
   EXPECT_EQ(frames_in(faces).size(), 3u);
+  // What was tested, and not the value that it became
+  const Sheet line = sheet_for(spec_of("bresenham_line", {{"panels", "phases"}}));
+  EXPECT_EQ(text_in(line, "panel 1 heading"), "p = −1 < 0 → E");
+  EXPECT_EQ(text_in(line, "panel 1 note"), "step 1");
+  // One of each kind, where there are three or more
+  const Sheet triangles = sheet_for(spec_of("triangle_coverage", {{"panels", "phases"}}));
+  EXPECT_EQ(frames_in(triangles).size(), 4u);
+  EXPECT_EQ(text_in(triangles, "panel 1 heading"), "three half-planes");
 }
 
 TEST(Panels, HaveALegendOfWhatIsSeenInThem) {

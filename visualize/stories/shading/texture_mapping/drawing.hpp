@@ -49,7 +49,7 @@ class Paper {
     view.add({"a u", Role::guide, Stroke{lower + down, dvec2{upper.x, lower.y} + down, true}});
     view.add({"a v", Role::guide, Stroke{lower - left, dvec2{lower.x, upper.y} - left, true}});
     view.add({"a u name", Role::guide,
-              Text{dvec2{upper.x, lower.y} + 2.5 * down, words.symbol("u"), Align::right}});
+              Text{dvec2{upper.x, lower.y} + down + 0.8 * left, words.symbol("u"), Align::left}});
     view.add({"a v name", Role::guide,
               Text{dvec2{lower.x, upper.y} - left - 0.7 * dvec2{0, unit_}, words.symbol("v")}});
     names_ = {words.say("texture")};
