@@ -249,8 +249,11 @@ def backwards(check, browser, made):
     check.that('it stops at step 0', page.wait_for('!player.playing'))
     check.equal('… there', page.step, '0')
     check.equal('… and the buttons are up', page.run(pressed), ['false', 'false'])
+    # The first of what it shows: on a busy machine the next step comes before anyone looks
+    page.run('const show = player.show; player.show = function (index) {'
+             'show.call(this, index); window.first ??= this.run.steps[this.index].number; }')
     page.press('v')
-    check.equal('from step 0 it starts at the end', [page.step, page.state()['pace']], ['7', -1])
+    check.equal('from step 0 it starts at the end', [page.run('return first'), page.state()['pace']], ['7', -1])
     page.press('Space')
     check.equal('space pauses', page.run('return player.playing'), False)
     page.run('player.setSpeed(0); player.last()')
