@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/language.hpp"
+
 namespace gradus {
 
 struct Operations {
