@@ -65,9 +65,9 @@ inline void draw_ideal(Narrator& narrator, const Circle& circle, int longest_wat
     narrator.backdrop("ideal circle", Role::boundary, ideal_arc(circle, octants[0], told));
   } else {
     narrator.backdrop("ideal circle", Role::boundary, ideal_circle(circle));
-    // Far from what is told, or, where the octant is shown alone, at its end
-    const bool alone = narrator.trace().grid.part.has_value();
-    named = point_of(circle.center, octants[alone ? 0 : 4], dvec2(circle.radius * std::sqrt(0.5)));
+    // Far from what is told; an octant alone has no such place, and nothing else in it is round
+    if (!narrator.trace().grid.part)
+      named = point_of(circle.center, octants[4], dvec2(circle.radius * std::sqrt(0.5)));
   }
   if (named)
     narrator.backdrop("ideal circle name", Role::boundary, Label{*named, narrator.words().say("ideal")});
