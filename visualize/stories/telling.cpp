@@ -90,8 +90,9 @@ std::string Words::counted(std::string_view key, std::int64_t n, std::span<const
 }
 
 std::string Words::heading(std::string_view key, std::span<const Word> words) const {
-  for (const std::string_view part : {key, key.substr(0, key.find('.'))}) {
-    const std::string text = fmt::format("panel.{}", part);
+  for (const std::size_t end : {key.size(), key.find('.')}) {
+    if (end == key.npos) continue;
+    const std::string text = fmt::format("panel.{}", key.substr(0, end));
     if (wording_.has(fmt::format("{}.{}", topic_, text))) return say(text, words);
   }
   return "";
