@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <set>
 #include <span>
 
@@ -61,7 +62,13 @@ std::string numbered(const std::string& phase, const std::vector<std::string>& p
   return fmt::format("{}. {}", std::ranges::find(phases, phase) - phases.begin() + 1, phase);
 }
 
-/// What is new in the step's row: "code_b = 0000".
+/// Whether a column is named by a word and not by a symbol as formulas have it.
+bool is_word(std::string_view name) {
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  return std::ranges::search_n(name, 3, true, {}, is_letter).begin() != name.end();
+}
+
+/// What is new in the step's row: "t = 0.5", "corners: 4".
 std::string news_of(const Figure& figure) {
   const TraceStep& step = told_step(figure);
   if (figure.rows.empty() || step.row.empty()) return "";
@@ -69,9 +76,10 @@ std::string news_of(const Figure& figure) {
   std::string note;
   for (std::size_t c = 0, told = 0; c < row.changed.size() && told < 2; ++c) {
     if (!row.changed[c]) continue;
-    note += (told++ == 0 ? "" : ", ") + figure.trace->wording.say("figure.panel_value",
-                                                                  arg("name", figure.trace->columns[c].name),
-                                                                  arg("value", row.cells[c]));
+    const std::string& name = figure.trace->columns[c].name;
+    note += (told++ == 0 ? "" : ", ") +
+            figure.trace->wording.say(is_word(name) ? "figure.panel_word" : "figure.panel_value",
+                                      arg("name", name), arg("value", row.cells[c]));
   }
   return note;
 }
