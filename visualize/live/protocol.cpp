@@ -12,6 +12,7 @@
 #include "request/complaint.hpp"
 #include "request/names.hpp"
 #include "request/notation_reader.hpp"
+#include "request/openings.hpp"
 #include "request/played_steps.hpp"
 #include "request/takes.hpp"
 #include "request/words.hpp"
@@ -111,8 +112,15 @@ const TopicEntry& topic_in(const JsonNode& request) {
   return find_topic(*name);
 }
 
+/// The texts of a run's inputs.
+GivenTexts given_in(const JsonNode& request, const TopicEntry& topic) {
+  const std::string* const beside = text_of(request, "beside");
+  return opened(topic, arguments_in(request, topic),
+                beside ? &find_method(topic, *beside, "--beside") : nullptr);
+}
+
 Inputs inputs_in(const JsonNode& request, const TopicEntry& topic, Files& files) {
-  return read_inputs(topic, arguments_in(request, topic), files);
+  return read_inputs(topic, given_in(request, topic), files);
 }
 
 /// As much of a run as a page plays, from its start.
@@ -138,7 +146,7 @@ Trace trace_in(const JsonNode& request, Files& files, bool played) {
 
 /// The same input by another method, without what that method lacks.
 OtherSide other_in(const JsonNode& request, const TopicEntry& topic, Files& files) {
-  std::map<std::string, std::string> given = arguments_in(request, topic);
+  GivenTexts given = given_in(request, topic);
   given["method"] = *text_of(request, "beside");
   const Method& method = find_method(topic, given["method"], "--beside");
   for (const std::string& name : method.without) given.erase(name);

@@ -21,7 +21,7 @@
 
 namespace gradus {
 
-std::string_view example_text(std::string_view path);  // embedded by the build
+std::string_view exhibit_text(std::string_view path);  // embedded by the build
 
 namespace cli {
 namespace {
@@ -277,7 +277,7 @@ Reading reading_of(const JsonNode& entry) {
   return reading;
 }
 
-JsonNode listed() { return read_json(example_text("errata.json"), "examples/errata.json"); }
+JsonNode listed() { return read_json(exhibit_text("errata.json"), "examples/errata.json"); }
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 
 #include "cli/command_line/errors.hpp"
 #include "cli/command_line/inputs.hpp"
+#include "cli/figures/compare.hpp"
 #include "cli/files/files.hpp"
 #include "cli/files/own_answers.hpp"
 #include "cli/terminal/progress.hpp"
@@ -306,7 +307,7 @@ int figure(const Request& request) {
   refuse_idle_flags(request, format);
   const auto snippet = read_snippet(request, format, output.path);
   if (request.has("trace")) return figure_of_answer(request, format, output, snippet);
-  const Inputs inputs = read_inputs(*request.topic, request.arguments);
+  const Inputs inputs = read_inputs(*request.topic, opened(request));
   const FigureSpec spec = read_spec(request, inputs.arguments);
   if (!output.quiet) std::ranges::for_each(inputs.remarks, note);
   write_figure(spec, format, output, inputs.files, snippet);

@@ -9,6 +9,7 @@
 #include "cli/figures/figure_file.hpp"
 #include "cli/files/files.hpp"
 #include "json/json.hpp"
+#include "request/openings.hpp"
 #include "request/takes.hpp"
 #include "text/text_output.hpp"
 #include "text/wrap.hpp"
@@ -16,7 +17,7 @@
 namespace gradus::cli {
 
 int run(const Request& request) {
-  const Inputs inputs = read_inputs(*request.topic, request.arguments);
+  const Inputs inputs = read_inputs(*request.topic, opened(*request.topic, request.arguments));
   const FigureSpec spec = read_spec(request, inputs.arguments);
   const Takes takes(*request.topic, spec.arguments, spec.wording, spec.listing);
   if (!request.quiet()) std::ranges::for_each(inputs.remarks, note);

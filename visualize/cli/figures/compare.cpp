@@ -9,14 +9,11 @@
 
 #include "cli/command_line/errors.hpp"
 #include "cli/command_line/inputs.hpp"
-#include "cli/commands/commands.hpp"
 #include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
 namespace {
-
-using GivenTexts = std::map<std::string, std::string>;
 
 bool is_a_file(const Parameter& parameter) {
   return parameter.type == ParameterType::picture || parameter.type == ParameterType::maze ||
@@ -134,6 +131,20 @@ std::string canonical_text(const TopicEntry& topic, const Said& said, const Argu
 }
 
 }  // namespace
+
+GivenTexts opened(const Request& request) {
+  const TopicEntry& topic = *request.topic;
+  const auto beside = request.flags.find("compare");
+  if (beside == request.flags.end()) return gradus::opened(topic, request.arguments);
+  try {
+    const Said said = read_said(topic, beside->second);
+    const bool by_method = said.topic == &topic && said.inputs.size() == 1 && said.inputs.contains("method");
+    return gradus::opened(topic, request.arguments,
+                          by_method ? &find_method(topic, said.inputs.at("method")) : nullptr);
+  } catch (const UsageError&) {
+    return request.arguments;  // what is wrong with it is said when it is read
+  }
+}
 
 OtherSide other_side(const TopicEntry& topic, const Arguments& arguments, std::string_view text) {
   const Said said = read_said(topic, text);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "cli/command_line/errors.hpp"
+#include "cli/figures/compare.hpp"
 #include "cli/files/files.hpp"
 #include "cli/files/notation_file.hpp"
 #include "cli/lecture/lecture_problem.hpp"
@@ -307,7 +308,7 @@ class LectureReader : LectureValues {
     Request& request = figure.request;
     Inputs inputs;
     bool fine = request.topic && read_all(figure, request.arguments, [&] {
-                  inputs = read_inputs(*request.topic, request.arguments, file_.find);
+                  inputs = read_inputs(*request.topic, opened(request), file_.find);
                 });
     FigureSpec spec;
     fine = read_all(figure, request.flags, [&] { spec = read_spec(request, inputs.arguments); }) && fine;
