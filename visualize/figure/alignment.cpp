@@ -55,9 +55,9 @@ std::optional<Meeting> next_meeting(const std::vector<int>& a, const std::vector
 
 bool tells_otherwise(const TraceStep& a, const TraceStep& b) {
   if (a.key != b.key) return true;
-  if (a.decision.has_value() != b.decision.has_value()) return true;
-  if (a.decision && a.decision->branch != b.decision->branch) return true;
   bool comparable = a.type == b.type;
+  // What one kind of step asks and another does not is no other answer
+  if (comparable && a.decision && b.decision && a.decision->branch != b.decision->branch) return true;
   for (const Field& field : a.fields) {
     const auto other = std::ranges::find(b.fields, field.name, &Field::name);
     if (other == b.fields.end()) continue;

@@ -68,9 +68,9 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     return {.text = t.others == 0            ? "taken.alone"
                     : has_moved(names_(t.p)) ? "taken.moved"
                                              : "taken",
-            .facts = {{"others", static_cast<std::int64_t>(t.others)}},
+            .facts = {so_far(), {"others", static_cast<std::int64_t>(t.others)}},
             .words = {{"p", names_(t.p)}, {"key", key_of(t.p).key}},
-            .key = names_(t.p),
+            .key = place(),
             .phase = phase()};
   }
   Event say(const Compared<double>& c) const {
@@ -83,7 +83,7 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     for (std::size_t i = 0; i < 7; ++i) answers.push_back(words_.say(fmt::format("test.{}", i)));
     const bool last = c.last && c.passed == Test::depths;
     return {.text = last ? "compared.depths.last" : fmt::format("compared.{}", texts[test]),
-            .facts = {{"test", static_cast<std::int64_t>(test)}},
+            .facts = {so_far(), {"test", static_cast<std::int64_t>(test)}},
             .words = {{"p", names_(c.p)},
                       {"q", names_(c.q)},
                       {"near", nearest(c.p)},
@@ -91,15 +91,16 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
                       {"corners", c.passed == Test::behind ? c.p.corners.size() : c.q.corners.size()},
                       {"beyond", beyond(c.q, c.p)}},
             .row = {names_(c.p), names_(c.q), answers[test]},
-            .key = names_(c.p),
+            .key = place(),
             .phase = phase(),
             .decides = Decision{words_.say("question", {{"p", names_(c.p)}, {"q", names_(c.q)}}), answers,
                                 test, branches[test]}};
   }
   Event say(const Moved<double>& m) const {
     return {.text = "moved",
+            .facts = {so_far()},
             .words = {{"p", names_(m.p)}, {"q", names_(m.q)}, {"number", painted().size() + 1}},
-            .key = names_(m.p),
+            .key = place(),
             .phase = phase()};
   }
   Event say(const Cut<double>& c) const {
@@ -107,27 +108,32 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
     return {.text = names_(c.whole) != q ? "cut.cycle"
                     : has_moved(q)       ? "cut.again"
                                          : "cut",
-            .facts = {{"corners_in_front", std::ssize(c.in_front.corners)},
+            .facts = {so_far(),
+                      {"corners_in_front", std::ssize(c.in_front.corners)},
                       {"corners_behind", std::ssize(c.behind.corners)}},
             .words = {{"p", names_(c.p)},
                       {"q", q},
                       {"whole", names_(c.whole)},
                       {"front", names_(c.in_front)},
                       {"behind", names_(c.behind)}},
-            .key = names_(c.p),
+            .key = place(),
             .phase = phase()};
   }
   Event say(const Inserted<double>&) const {
-    return {
-        .text = "sorted.again", .words = {{"order", order_text()}}, .phase = phase(), .line = putting_back_};
+    return {.text = "sorted.again",
+            .facts = {so_far()},
+            .words = {{"order", order_text()}},
+            .key = place(),
+            .phase = phase(),
+            .line = putting_back_};
   }
   Event say(const Drawn<double>& d) const {
     const std::int64_t number = std::ssize(painted());
     const std::string& name = names_(d.polygon);
     Event event{.text = waiting_.empty() ? "drawn.last" : "drawn",
-                .facts = {{"number", number}},
+                .facts = {so_far(), {"number", number}, {"polygon", name}},
                 .words = {{"p", name}},
-                .key = name,
+                .key = place(),
                 .phase = phase()};
     if (key_.tests) return event;
     const double key = key_of(d.polygon).key;
@@ -189,6 +195,10 @@ class OrderStory : public Past<Sorted<double>, Taken<double>, Compared<double>, 
   void follow(const Drawn<double>& d) { no_longer_waits(d.polygon); }
   void no_longer_waits(const DPolygon& polygon) { std::erase_if(waiting_, same_as(polygon)); }
 
+  /// What a step is about is how far the order is filled: so runs are compared place by place, whatever each
+  /// of them asks before it paints the next polygon.
+  std::string place() const { return fmt::format("{}", all<Drawn<double>>().size()); }
+  Field so_far() const { return {"painted", std::ssize(all<Drawn<double>>())}; }
   std::vector<DPolygon> painted() const { return mapped(all<Drawn<double>>(), &Drawn<double>::polygon); }
   /// Which place in the order is being filled.
   std::string phase() const {

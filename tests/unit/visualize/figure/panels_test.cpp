@@ -84,6 +84,14 @@ TEST(Alignment, PartsAtTheFirstOtherValueOrBranchBehindTheInput) {
       << "another input is no parting";
 }
 
+TEST(Alignment, WhatOnlyOneKindOfStepAsksIsNoParting) {
+  TraceStep asked = told(1, "first", "yes"), done = told(1, "first");
+  asked.type = "Compared";
+  const Trace a = run_of({told(0, "s"), asked, told(2, "second", "", 1)});
+  EXPECT_EQ(align(a, run_of({told(0, "s"), done, told(2, "second", "", 1)})).parting, std::nullopt);
+  EXPECT_EQ(align(a, run_of({told(0, "s"), done, told(2, "second", "", 2)})).parting, 2u);
+}
+
 TEST(Alignment, NeverGoesBackAndHasEveryWholeStep) {
   const std::vector<std::pair<Trace, Trace>> pairs = [] {
     std::vector<std::pair<Trace, Trace>> made;
@@ -285,6 +293,23 @@ TEST(Compare, ShowsTheFirstDifferenceInBothDrawings) {
   for (const char* id : {"panel 1 ring", "panel 2 ring", "panel 1 note", "panel 2 note"})
     EXPECT_TRUE(has(sheet, id)) << id;
   EXPECT_FALSE(has(cli::sheet_of(spec, takes, {parting.step - 1, 0}), "panel 1 ring"));
+}
+
+TEST(Compare, OfAPainterPaintsUpToWhereTheOrdersDiffer) {
+  for (const char* method : {"centroid", "mean_depth", "descending_mean_z"}) {
+    const cli::FigureSpec spec = spec_of("painter", {{"compare", method}});
+    Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, cli::beside_of(spec));
+    const StepPair pair = pair_with(takes.alignment(), cli::compared_step(spec, takes));
+    const auto step_of = [](const Trace& trace, StepNumber number) {
+      return trace.steps[index_of(trace, number)];
+    };
+    const TraceStep right = step_of(takes.opening(), pair.a),
+                    wrong = step_of(takes.beside()->opening(), pair.b);
+    EXPECT_EQ(right.type, "Drawn") << method;
+    EXPECT_EQ(wrong.type, "Drawn") << method;
+    EXPECT_EQ(right.key, wrong.key) << method << ": so many are painted";
+    EXPECT_TRUE(tells_otherwise(right, wrong)) << method << ": another one now";
+  }
 }
 
 /// Of the first shape with this id.
