@@ -171,6 +171,14 @@ Plan plan_of(const Stage& stage, std::size_t runs, const PanelBand& band, const 
   return plan;
 }
 
+/// Among many a grid stands without the shelf beside it, which would make its cells small.
+void leave_shelf_out(Stage& stage) {
+  stage.cells = intersection(stage.cells, stage.own);
+  stage.lower = dvec2(stage.cells.lower) - 0.5;
+  stage.size = dvec2{static_cast<double>(stage.cells.width()), static_cast<double>(stage.cells.height())};
+  stage.core = glm::min(stage.core, stage.size);
+}
+
 /// A grid among many is shown whole rather than a part of it, and without the numbers beside it where they
 /// take more room than they are worth. Below each panel stands what it tells, where it tells more than the
 /// sentence for all and takes nothing of the drawings.
@@ -178,6 +186,7 @@ Plan best_plan(Stage stage, std::size_t runs, const PanelBand& band, const Look&
   const std::vector<std::string> none, own = look.slots.contains(Slot::sentence) ? band.own_sentences : none,
                                        first = band.sentence.empty() ? own : none;
   const bool grid_among_many = stage.axes && runs >= many;
+  if (grid_among_many) leave_shelf_out(stage);
   if (grid_among_many && !stage.fixed) stage.least_cell = std::min(stage.least_cell, least_of_many);
   Plan best = plan_of(stage, runs, band, look, first);
   if (grid_among_many) {

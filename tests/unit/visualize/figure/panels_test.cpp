@@ -409,6 +409,12 @@ TEST(Panels, OfAMazeShowAllOfIt) {
   for (int i = 1; i <= 6; ++i) EXPECT_TRUE(has(sheet, fmt::format("panel {} cell 9,6", i))) << i;
 }
 
+TEST(Panels, OfAMazeLeaveItsShelfOut) {
+  const Sheet sheet = sheet_for(spec_of("flood_fill", {{"panels", "phases"}}));
+  for (const Shape& shape : sheet.shapes) EXPECT_THAT(shape.id, testing::Not(HasSubstr("shelf"))) << shape.id;
+  EXPECT_TRUE(has(sheet, "panel 6 text 1,1")) << "so that its cells have room for their numbers";
+}
+
 TEST(Panels, AreCalledByWhatTellsThemApart) {
   const Sheet faces = sheet_for(spec_of("z_buffer", {{"panels", "2,4,6"}}));
   EXPECT_EQ(text_in(faces, "panel 1 heading"), "A drawn");
