@@ -12,8 +12,8 @@
 namespace gradus::polygon_circle {
 namespace {
 
-constexpr int width = 36, height = 27;
-constexpr dvec2 table_corner{width - 0.6, height - 1};  ///< beside the plane
+constexpr int width = 37, height = 27;
+constexpr dvec2 table_corner{width - 1.5, height - 1};  ///< beside the plane
 
 /// What all steps are drawn from.
 struct Subject {
@@ -432,7 +432,7 @@ Subject subject_of(const Arguments& arguments) {
   const bool crossed = arguments.text("method") == "arcs" && any_crossing(polygon, circle);
   const double table = crossed ? CrossingTable::width : 0;
   const Panel panel =
-      tight_panel({{2.7, 2.7}, {width - 1.5 - table, height - 1.3}}, world_of(polygon, circle));
+      tight_panel({{2.7, 2.7}, {width - 2.5 - table, height - 1.3}}, world_of(polygon, circle));
   const Subject subject{polygon, circle, tolerance, panel, area_of(arcs(std::span(polygon), circle))};
   require_scale(panel, arguments, {"circle"});
   return subject;

@@ -1,6 +1,6 @@
 #pragma once
-// The crossings of a polygon and a circle as a table in the drawing: name, in or out, angle; in the order in
-// which edges find them, then in that round the circle.
+// The crossings of a polygon and a circle as a table in the drawing: a dot for those that enter or a ring,
+// name, angle; in the order in which edges find them, then in that round the circle.
 
 #include <algorithm>
 #include <numbers>
@@ -26,7 +26,7 @@ inline bool any_crossing(const std::vector<dvec2>& polygon, const Circle<double>
 
 class CrossingTable {
  public:
-  static constexpr double width = 9;  ///< units of the paper
+  static constexpr double width = 9;  ///< units of the paper: small ones still have room for its texts
 
   /// A crossing that an edge has found; its name. Names stay when the rows are sorted.
   std::string add(std::size_t edge, dvec2 at, bool leaves, const Circle<double>& circle) {
@@ -48,12 +48,12 @@ class CrossingTable {
   const std::string& name(std::size_t number) const { return rows_.at(number).name; }
   std::size_t size() const { return rows_.size(); }
 
-  /// upper: the table's upper right corner. The rows that are marked have one after the other an arrow
-  /// between them. Of many rows those about the last one marked.
+  /// upper: the table's upper right corner. Of two rows that are marked an arrow beside them leads from the
+  /// first to the second. Of many rows those about the last one marked.
   void add_to(View& view, const std::string& id, const Words& words, std::string_view title, dvec2 upper,
               const std::vector<std::size_t>& marked) const {
     if (rows_.empty()) return;
-    constexpr std::size_t most = 12;
+    constexpr std::size_t most = 9;
     const std::size_t shown = std::min(rows_.size(), most), last = marked.empty() ? 0 : marked.back();
     const std::size_t first = std::min(last < most / 2 ? 0 : last - most / 2, rows_.size() - shown);
     const auto middle = [&](std::size_t i) {
@@ -73,21 +73,19 @@ class CrossingTable {
         view.add({own + " ground", Role::current, Area{{box.corners()}}});
         view.add({own + " now", Role::current, Path{box.corners(), true}});
       }
-      view.add({own + " dot", role, Dot{{left + 1, y}, row.leaves}});
-      view.add({own + " name", text, Text{{left + 2.2, y}, row.name}});
-      view.add(
-          {own + " way", text, Text{{left + 3.3, y}, words.say(row.leaves ? "out" : "in"), Align::left}});
+      view.add({own + " dot", role, Dot{{left + 0.9, y}, row.leaves}});
+      view.add({own + " name", text, Text{{left + 2.7, y}, row.name}});
       view.add(
           {own + " angle", text, Text{{upper.x - 0.4, y}, fmt::format("{}°", row.degrees), Align::right}});
     }
     const auto seen = [&](std::size_t i) { return first <= i && i < first + shown; };
     if (marked.size() == 2 && marked[0] != marked[1] && seen(marked[0]) && seen(marked[1]))
       view.add({id + " way", Role::current,
-                Stroke{{left - 0.7, middle(marked[0])}, {left - 0.7, middle(marked[1])}, true}});
+                Stroke{{upper.x + 0.8, middle(marked[0])}, {upper.x + 0.8, middle(marked[1])}, true}});
   }
 
  private:
-  static constexpr double pitch = 1.8;
+  static constexpr double pitch = 2.5;  ///< a line of text in the panels of a slide
   struct Row {
     std::size_t edge;
     bool leaves;
