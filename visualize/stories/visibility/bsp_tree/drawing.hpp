@@ -123,7 +123,7 @@ class TreeDrawing {
   void add_branch(View& view, std::size_t parent, std::size_t node, bool in_front, Role role) const {
     const dvec2 from = at_[parent], to = at_[node], way = (to - from) / glm::length(to - from);
     view.add({fmt::format("s branch {:02}", node), role, Stroke{from + height_ * way, to - height_ * way}});
-    const dvec2 aside = in_front ? dvec2{0.75, 0.25} : dvec2{-0.75, 0.25};
+    const dvec2 aside = in_front ? dvec2{1.35, 0.45} : dvec2{-1.35, 0.45};
     view.add({fmt::format("s side {:02}", node), Role::guide,
               Text{0.5 * (from + to) + aside, in_front ? "+" : "−"}});
   }
@@ -152,7 +152,7 @@ class TreeDrawing {
 
  private:
   dvec2 half_size(const std::string& text) const {
-    return {std::clamp(0.45 * static_cast<double>(text.size()) + 0.5, height_, std::max(widest_, height_)),
+    return {std::clamp(0.5 * static_cast<double>(text.size()) + 0.85, height_, std::max(widest_, height_)),
             height_};
   }
 

@@ -93,8 +93,8 @@ class Plan {
     if (!signs) return;
     const dvec2 high = a.y > b.y ? a : b, down = glm::normalize(a + b - 2.0 * high);
     const dvec2 beside = high + 0.9 * down;
-    view.add({"p sign +", Role::guide, Text{beside + 0.8 * normal, "+"}});
-    view.add({"p sign -", Role::guide, Text{beside - 0.8 * normal, "−"}});
+    view.add({"p sign +", Role::guide, Text{beside + 1.1 * normal, "+"}});
+    view.add({"p sign -", Role::guide, Text{beside - 1.1 * normal, "−"}});
   }
   /// A polygon edge-on, with its name; `ends`: its corners are marked.
   void add_wall(View& view, const DPolygon& polygon, Role role, const std::string& name,
