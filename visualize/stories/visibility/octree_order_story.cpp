@@ -133,7 +133,6 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
       std::ranges::move(rings_of_box(corners), std::back_inserter(rings));
     }
     drawing.add_to(view, "a");
-    add_numbers(view, rings);
     for (std::size_t i = 0; i < subject_.points.size() && now<steps::Started>(); ++i)
       view.add({fmt::format("p {:02}", i), Role::input, Dot{at(subject_.points[i])}});
     const dvec2 eye = eye_at(dvec3(subject_.eye));
@@ -143,6 +142,7 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
       view.add({"d way", Role::measure, Stroke{from, eye, true}});
       view.add({"d middle", Role::measure, Dot{from}});
     }
+    add_numbers(view, rings);
     view.add_named("e eye", Role::measure, eye, words_.say(subject_.eye.w == 1 ? "eye" : "eye.far"));
     add_axes(view);
     return view;
@@ -211,20 +211,45 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
     return holds(nearest, middle_of(order_[i])) ? Role::accepted : Role::candidate;
   }
 
-  /// The number of each cell that has got one or gets it now, on a face of it that is seen.
+  /// The number of each cell that has got one or gets it now, on a face of it that is seen: the first on
+  /// which the digits lie on no edge, if there is one.
   void add_numbers(View& view, const std::vector<std::vector<dvec3>>& rings) const {
     const HiddenLines lines(rings, distant_viewer(subject_.reader.towards), subject_.root.side);
-    for (std::size_t k = 0, last = none; k < rings.size(); ++k) {
-      const std::vector<dvec3>& ring = rings[k];
-      const std::size_t i = k / 6;
-      if (i == last || role_of(i) == Role::guide) continue;
-      if (glm::dot(area_vector(ring), subject_.reader.towards) <= 0) continue;
-      const auto seen = faces_subject::seen_place(ring, lines, [](dvec3) { return true; });
-      if (!seen) continue;
-      view.add({fmt::format("n {:03}", i), role_of(i),
-                Text{panel_.at(subject_.reader.flat(*seen)), fmt::format("{}", i + 1)}});
-      last = i;
+    const auto flat = [&](dvec3 p) { return panel_.at(subject_.reader.flat(p)); };
+    for (std::size_t i = 0; i < shown_cells(); ++i) {
+      if (role_of(i) == Role::guide) continue;
+      const std::string number = fmt::format("{}", i + 1);
+      std::optional<dvec2> written;
+      bool is_clear = false;
+      for (std::size_t k = 6 * i; k < 6 * i + 6 && !is_clear; ++k) {
+        if (glm::dot(area_vector(rings[k]), subject_.reader.towards) <= 0) continue;
+        const auto edges = strokes_in(view, extent_around(mapped(rings[k], flat)));
+        const auto clear = [&](dvec3 p) { return is_free(edges, flat(p), number); };
+        const auto seen = faces_subject::seen_place(rings[k], lines, clear);
+        if (!seen) continue;
+        is_clear = clear(*seen);
+        if (is_clear || !written) written = flat(*seen);
+      }
+      if (written) view.add({fmt::format("n {:03}", i), role_of(i), Text{*written, number}});
     }
+  }
+  /// Those that reach into it.
+  static std::vector<Stroke> strokes_in(const View& view, const Extent& extent) {
+    std::vector<Stroke> strokes;
+    for (const auto& [id, mark] : view.marks) {
+      const Stroke* stroke = std::get_if<Stroke>(&mark.shape);
+      if (stroke && reaches_into(*stroke, extent)) strokes.push_back(*stroke);
+    }
+    return strokes;
+  }
+  static bool reaches_into(const Stroke& stroke, const Extent& extent) {
+    const auto [from, to] = span_in(extent, stroke.a, stroke.b - stroke.a, 0, 1);
+    return from <= to;
+  }
+  static bool is_free(const std::vector<Stroke>& edges, dvec2 at, const std::string& number) {
+    const dvec2 half{0.32 * static_cast<double>(number.size()) + 0.15, 0.55};
+    return std::ranges::none_of(
+        edges, [&](const Stroke& edge) { return reaches_into(edge, {at - half, at + half}); });
   }
   void add_axes(View& view) const {
     constexpr double length = 3;
@@ -236,7 +261,6 @@ class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>,
                 origin + subject_.reader.flat(way), std::string(1, "xyz"[axis]));
     }
   }
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   const Words& words_;
   const Subject& subject_;
