@@ -40,7 +40,8 @@ inline View in_cells(View view) {
 /// A paper of so many units.
 inline void lay_paper(Narrator& narrator, int width, int height) {
   narrator.paper(width * cells_of_unit, height * cells_of_unit);
-  narrator.trace().grid.lines = 0.75;  // its cells are fine pixels
+  // Its cells are fine pixels; where vectors had no room for their names, they are worth more than balls
+  narrator.trace().grid.lines = 1.8;
 }
 
 class Balls {

@@ -11,7 +11,7 @@
 namespace gradus::illumination {
 
 /// In units; below the vectors stand balls.
-inline constexpr int place_paper_width = 32, place_paper_height = 35;
+inline constexpr int place_paper_width = 35, place_paper_height = 35;
 
 /// Part of the colour as the bar has it.
 struct Piece {
@@ -72,7 +72,7 @@ class PlaceDrawing {
 
   /// The drawing in cells, and below it the terms as balls: ambient + scattered + highlight = sum.
   View with_balls(View view, const Balls& balls) const {
-    constexpr double side = double(Balls::side) / cells_of_unit, pitch = (32 - side) / 3;
+    constexpr double side = double(Balls::side) / cells_of_unit, pitch = (place_paper_width - side) / 3;
     constexpr std::array<const char*, Balls::count> names{"legend.ambient", "legend.scattered",
                                                           "legend.highlight", "column.sum"};
     if (balls.empty()) return in_cells(std::move(view));
@@ -151,24 +151,25 @@ class PlaceDrawing {
     // H lies halfway between L and V
     const double axis = reflects ? -theta : flat < 0 ? -off : off;
     const double seen = reflects ? axis + (wrapped(flat - axis) < 0 ? -off : off) : 2 * axis - theta;
+    const std::string product = reflects ? "R·V" : "N·H";
+    const double part = s.cosine > 0 ? gradus::pow(s.cosine, power) : 0;
     const auto size = [&](double way) {
       return gradus::pow(cosine(reflects ? way - axis : 0.5 * (way + theta)), power);
     };
     if (!reflects || s.cosine > 0) {
       lobe(view, role, size);
-      // Its tip is the mirrored ray; on the side where V isn't
-      const double side = wrapped(seen + theta) > 0 ? -9 : 9;
-      view.add({"b lobe name", role, Label{tip(-theta + side, 0.72), words_.say("lobe.name")}});
+      // Where it is half as long as its middle, on the side where V isn't
+      const double half = std::min(30.0, degrees_of(gradus::pow(0.5, 1 / std::max(power, 1.0))));
+      const double side = -theta + (wrapped(seen + theta) > 0 ? -half : half);
+      view.add(
+          {"b lobe name", role, Label{tip(side, size(side)), "(" + product + ")ⁿ = " + short_real(part)}});
     }
     arrow(view, "r mirror", role, axis, reflects ? "R" : "H");
     add_viewer(view, seen);
     const double from = reflects ? axis : 0, to = reflects ? seen : axis;
-    const std::string product = reflects ? "R·V" : "N·H";
     arc(view, "g alpha", role, from, to, 0.42);
     foot(view, "f specular", role, from, s.cosine, tip(to, 1), product + " = " + short_real(s.cosine));
-    const double part = s.cosine > 0 ? gradus::pow(s.cosine, power) : 0;
-    if (part > 0.02)
-      view.add_named("p reached", role, tip(seen, part), "(" + product + ")ⁿ = " + short_real(part), true);
+    if (part > 0.02) view.add({"p reached", role, Dot{tip(seen, part), true}});
   }
 
   void add_viewer(View& view, double at) const { arrow(view, "v view", Role::input, at, "V"); }
@@ -194,14 +195,14 @@ class PlaceDrawing {
     }
     if (right) grey = grey && right->x == right->y && right->y == right->z;
     if (!(sum.x == sum.x)) grey = true;
-    const double x = 26, wide = grey ? 3.2 : 1.1;
+    const double x = 29, wide = grey ? 3.2 : 1.1;
     for (int c = 0; c < (grey ? 1 : 3); ++c) {
       add_bar(view, pieces, c, x + 1.4 * c, wide, grey);
       if (!right) continue;
       const Extent bar{{x + 1.4 * c - 0.15, height(0)}, {x + 1.4 * c + wide + 0.15, height((*right)[c])}};
       view.add({fmt::format("w right {}", c), Role::accepted, Path{bar.corners(), true, true}});
     }
-    const double step = tick_distance(brightest_, 5);
+    const double step = tick_distance(brightest_, 3);  // between the numbers there is room for R·V
     for (int k = 0; k * step <= brightest_; ++k) {
       view.add({fmt::format("t tick {}", k), Role::guide,
                 Text{{x - 0.4, height(k * step)}, short_real(k * step), Align::right}});

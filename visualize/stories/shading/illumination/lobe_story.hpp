@@ -63,9 +63,11 @@ class LobeStory : public Past<steps::Started, LobeDrawn, steps::Finished> {
                  pitch = (width - side) / std::max(1.0, double(balls_.size()) - 1);
     const auto left = [&](std::size_t i) { return std::min(pitch, 1.3 * side) * static_cast<double>(i); };
     for (std::size_t i = 0; i < drawn; ++i)
-      view.add(
-          {fmt::format("x ball {}", i), Role::guide,
-           Text{{left(i) + side / 2 - 0.5, side + 0.4}, "n = " + figure_real(all<LobeDrawn>()[i].exponent)}});
+      view.add({fmt::format("x ball {}", i), Role::guide,
+                Text{{left(i) + side / 2 - 0.5, side + 0.4},
+                     "n = " + figure_real(all<LobeDrawn>()[i].exponent),
+                     Align::centre,
+                     true}});
     view = in_cells(std::move(view));
     for (std::size_t i = 0; i < drawn; ++i)
       balls_[i].add(view, fmt::format("x ball {} picture", i), Balls::count - 1,
