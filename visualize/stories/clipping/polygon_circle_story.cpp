@@ -453,6 +453,8 @@ void tell_arcs(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   set_up(narrator, subject);
   if (subject.tolerance) narrator.add_to_legend(Role::measure, "chords");
+  // Where nothing crosses there is no table
+  if (any_crossing(subject.polygon, subject.circle)) narrator.trace().grid.lines = CrossingTable::least_unit;
   Story story(narrator.words(), subject);
   const auto region = arcs(std::span(subject.polygon), subject.circle, narrator.watcher(story));
   // The first arc

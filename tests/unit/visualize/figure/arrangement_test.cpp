@@ -100,7 +100,6 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"sutherland_hodgman_pieces", 0.98},
                                               {"sutherland_hodgman_entering", 0.98},
                                               {"sutherland_hodgman_homogeneous", 0.99},
-                                              {"polygon_circle", 0.97},
                                               {"perspective_frustum", 0.92},
                                               {"viewport_origins", 0.91},
                                               {"viewing_block", 0.4},
