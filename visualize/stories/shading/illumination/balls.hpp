@@ -41,7 +41,7 @@ inline View in_cells(View view) {
 inline void lay_paper(Narrator& narrator, int width, int height) {
   narrator.paper(width * cells_of_unit, height * cells_of_unit);
   // Its cells are fine pixels; where vectors had no room for their names, they are worth more than balls
-  narrator.trace().grid.lines = 1.8;
+  narrator.trace().grid.lines = 1.6;
 }
 
 class Balls {

@@ -11,7 +11,7 @@
 namespace gradus::illumination {
 
 /// In units; below the vectors stand balls.
-inline constexpr int place_paper_width = 35, place_paper_height = 35;
+inline constexpr int place_paper_width = 33, place_paper_height = 35;
 
 /// Part of the colour as the bar has it.
 struct Piece {
@@ -45,7 +45,7 @@ class PlaceDrawing {
         subject_(subject),
         mirror_(mirror),
         from_below_(from_below),
-        origin_(11.2, (with_range() ? 13 : 9.6) + (from_below ? 9.6 : 0)),
+        origin_(10.7, (with_range() ? 13 : 9.6) + (from_below ? 9.6 : 0)),
         length_(from_below ? 10.2 : 11.6),
         brightest_(brightest) {
     // The first lamp that has a side stands on the left
@@ -195,7 +195,7 @@ class PlaceDrawing {
     }
     if (right) grey = grey && right->x == right->y && right->y == right->z;
     if (!(sum.x == sum.x)) grey = true;
-    const double x = 29, wide = grey ? 3.2 : 1.1;
+    const double x = 28.5, wide = grey ? 3.2 : 1.1;
     for (int c = 0; c < (grey ? 1 : 3); ++c) {
       add_bar(view, pieces, c, x + 1.4 * c, wide, grey);
       if (!right) continue;
