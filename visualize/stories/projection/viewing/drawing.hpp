@@ -95,11 +95,9 @@ class Drawing {
       const std::string name(axis_names[static_cast<std::size_t>(i)]);
       arrow(view, "axis " + name, axis_role(i), size * shown_axis(frame, i), axis_name(words_, i), false);
     }
-    const bool is_far = shown_distance() < subject_.distance;
-    const std::string eye = words_.say("name.eye");
-    point(view, "eye", Role::input, shown_eye(), is_far ? eye + " " + figure_place(subject_.eye) : eye);
+    point(view, "eye", Role::input, shown_eye(), words_.say("name.eye"));
     point(view, "target", Role::input, subject_.target, words_.say("name.target"));
-    if (is_far) add_break(view);
+    if (shown_distance() < subject_.distance) add_break(view);
     return view;
   }
 
@@ -387,12 +385,15 @@ class Drawing {
     add(subject_.target);
     return widened(extent, 0.02);
   }
-  /// The picture's corners in the world, on the way to the target.
+  /// The picture's corners in the world, on the way to the target: so near the eye that a wide picture does
+  /// not cover the model.
   std::vector<dvec3> picture_corners() const {
     const auto [eye, right, up, forward] = subject_.frame();
+    const Extent picture = picture_extent(world_to_view(subject_.frame()));
+    const double depth = std::min(0.4, 0.24 / picture.upper.x) * shown_distance();
     std::vector<dvec3> corners;
-    for (const dvec2 p : picture_extent(world_to_view(subject_.frame())).corners())
-      corners.push_back(shown_eye() + 0.4 * shown_distance() * (forward + p.x * right + p.y * up));
+    for (const dvec2 p : picture.corners())
+      corners.push_back(shown_eye() + depth * (forward + p.x * right + p.y * up));
     return corners;
   }
   /// The letter's height, and how many units of the paper make a large one.
@@ -406,12 +407,11 @@ class Drawing {
     return subject_.target + std::min(1.0, most_distance_ / length_of(way)) * way;
   }
   dvec3 shown_eye() const { return nearer(subject_.eye); }
-  /// Across the line of sight, with its true length: it is longer than it is drawn.
+  /// Across the line of sight behind the camera: it is longer than it is drawn.
   void add_break(View& view) const {
-    const dvec2 a = at(shown_eye()), b = at(subject_.target), middle = a + 0.55 * (b - a);
-    gradus::add_break(view, "sight break", Role::guide, middle,
+    const dvec2 a = at(shown_eye()), b = at(subject_.target);
+    gradus::add_break(view, "sight break", Role::guide, a + 0.7 * (b - a),
                       (b - a) / std::max(length_between(a, b), 1e-9));
-    view.add({"sight length", Role::guide, Label{middle, figure_real(subject_.distance)}});
   }
   /// The camera: from the eye through the picture's corners.
   void add_camera(SpaceDrawing& space) const {
