@@ -255,6 +255,7 @@ void tell_points(Narrator& narrator, const Subject& subject, bool clamps, const 
                    Role::past,
                    Role::result,
                    Role::input});
+  narrator.trace().legend.front().sample = Sample::dot;    // its way has an arrow, too
   if (clamps || count == 1) narrator.telling({count, 0});  // what lies outside stands last, as a rule
   narrator.tell_each(story, subject.points.size(),
                      [&](std::size_t i, const auto& watch) { take(subject.points[i], watch); });

@@ -3,8 +3,10 @@
 
 #include <type_traits>
 
+#include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d.hpp"
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_volume.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
 #include "stories/clipping/axis_arguments.hpp"
 #include "stories/clipping/box_view.hpp"
 #include "stories/clipping/region_codes.hpp"
@@ -117,21 +119,6 @@ void add_ends(View& view, const std::string& prefix, const Words& words, const S
   }
 }
 
-/// The corner of a rectangle that is farthest from all that is shown.
-inline dvec2 free_corner(const Extent& place, const std::vector<dvec2>& shown) {
-  dvec2 best = place.lower;
-  double farthest = -1;
-  for (const dvec2 corner : place.corners()) {
-    double nearest = std::numeric_limits<double>::max();
-    for (const dvec2 p : shown) nearest = std::min(nearest, length_between(corner, p));
-    if (nearest > farthest) {
-      farthest = nearest;
-      best = corner;
-    }
-  }
-  return best;
-}
-
 /// The segment in space. in_space(p): a point's place there.
 template <int N, class InSpace>
 void add_segment(SpaceDrawing& drawing, const SpaceView& space, const State<N>& state, InSpace in_space) {
@@ -149,23 +136,46 @@ inline std::vector<dvec3> shown_of(const Subject<3>& subject) {
   shown.insert(shown.begin(), {subject.line.a, subject.line.b});
   return shown;
 }
-inline SpaceView space_of(const Subject<3>& subject) { return {{{3, 2.2}, {33, 23.4}}, shown_of(subject)}; }
+/// Whether a part of the paper is free of the box and the segment.
+inline bool is_free(const AxisBox<2, double>& part, const SpaceView& space, const Subject<3>& subject) {
+  const std::vector<dvec3> corners = corners_of(subject.region);
+  for (const Corners& face : faces_of_box()) {
+    std::vector<dvec2> ring;
+    for (const std::size_t corner : face) ring.push_back(space.at(corners[corner]));
+    if (sutherland_hodgman::clip_to_window(ring, part).size() >= 3) return false;
+  }
+  return !cohen_sutherland_2d::correctly_rounded({space.at(subject.line.a), space.at(subject.line.b)}, part);
+}
+
+/// Where space is drawn, and the foot of the arrows that say which way its axes go: in a corner that is free.
+struct Arrangement {
+  SpaceView space;
+  dvec2 directions;
+};
+inline Arrangement arrangement_of(const Subject<3>& subject) {
+  const std::vector<dvec3> shown = shown_of(subject);
+  const SpaceView whole({{3, 2.2}, {33, 23.4}}, shown);
+  constexpr dvec2 rim{0.5, 0.5}, room{4, 4};
+  for (const dvec2 foot : {dvec2{1.2, 19}, {31, 2.6}, {1.2, 2.6}, {31, 19}}) {
+    if (is_free({foot - rim, foot + room}, whole, subject)) return {whole, foot};
+  }
+  // A wide box leaves no corner free: they stand beside it
+  return {SpaceView({{6.2, 2.2}, {33, 23.4}}, shown), {1.2, 2.6}};
+}
+inline SpaceView space_of(const Subject<3>& subject) { return arrangement_of(subject).space; }
 
 inline View view_of(const Words& words, const Subject<3>& subject, const State<3>& state) {
   View view;
-  const std::vector<dvec3> corners = corners_of(subject.region), shown = shown_of(subject);
-  const SpaceView space = space_of(subject);
-  const auto at = [&](dvec3 p) { return space.at(p); };
+  const std::vector<dvec3> corners = corners_of(subject.region);
+  const auto [space, directions] = arrangement_of(subject);
+  const auto at = [&space = space](dvec3 p) { return space.at(p); };
   SpaceDrawing drawing = space.drawing();
   add_glass(drawing, space, corners, faces_of_box());
   if (const auto cut = state.cut()) add_face(view, space, box_face(subject.region, *cut));
   add_segment(drawing, space, state, [](dvec3 p) { return p; });
   drawing.add_to(view, "box");
   add_ends(view, "line", words, subject, state, at, true);
-  std::vector<dvec2> drawn;
-  for (const dvec3 p : shown) drawn.push_back(at(p));
-  add_directions(view, free_corner({{1.2, 2.6}, {31, 19}}, drawn),
-                 {words.symbol("x"), words.symbol("y"), words.symbol("z")});
+  add_directions(view, directions, {words.symbol("x"), words.symbol("y"), words.symbol("z")});
   add_order_of_bits(view, words, subject, {18, 0.8});
   return view;
 }

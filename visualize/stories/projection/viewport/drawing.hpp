@@ -99,7 +99,7 @@ class Drawing {
     Extent plane, picture;
   };
   static constexpr Extent upper_place{{3, 10.4}, {34, 21.2}}, enlarged_place{{20, 0}, {34, 5.8}};
-  static constexpr double caption_gap = 2.1, least_height = 4;
+  static constexpr double caption_gap = 2.1, least_height = 4, arrow_length = 1.6;
   /// Smaller pixels, in paper units, are enlarged with their neighbours.
   static constexpr double least_pixel = 0.5;
 
@@ -153,30 +153,37 @@ class Drawing {
   }
   bool rows_down() const { return subject_.map.row_zero == RowZero::top; }
 
-  static dvec2 clamped_to(const Extent& extent, dvec2 p) { return glm::clamp(p, extent.lower, extent.upper); }
-  /// Where the picture's panel shows a place; the nearest place of its border for those beyond it.
-  std::pair<bool, dvec2> shown_at(dvec2 place) const {
-    const dvec2 at = picture_.at(place);
-    const Extent drawn = widened(picture_.drawn(), 1e-9);
-    return {drawn.holds(at), clamped_to(drawn, at)};
+  /// Where a point is drawn: at its place, or, beyond its panel, at the nearest place of the border, and in
+  /// which direction from there it lies.
+  struct Spot {
+    dvec2 at, outwards{0};
+    bool here() const { return outwards == dvec2{0}; }
+    /// Where what leads to it ends: before the arrow that points on.
+    dvec2 end() const { return at - arrow_length * outwards; }
+  };
+  static Spot spot_in(const Extent& drawn, dvec2 at) {
+    const dvec2 border = glm::clamp(at, drawn.lower, drawn.upper);
+    return {border, border == at ? dvec2{0} : glm::normalize(glm::sign(at - border))};
+  }
+  Spot picture_spot(dvec2 place) const {
+    return spot_in(widened(picture_.drawn(), 1e-9), picture_.at(place));
   }
 
   void add_caption(View& view, std::string_view id, std::string text, const Extent& place) const {
     view.add({fmt::format("caption {}", id), Role::guide,
               Text{{place.centre().x, place.upper.y + caption_gap}, std::move(text)}});
   }
-  /// A dot, or where the panel doesn't reach as far an arrow to its border.
-  static void add_point(View& view, std::string id, Role role, const Extent& panel, bool inside, dvec2 at) {
-    if (inside) return view.add({std::move(id), role, Dot{at}});
-    const dvec2 inwards = glm::normalize(panel.centre() - at);
-    view.add({std::move(id), role, Stroke{at + 1.6 * inwards, at, true}});
+  /// A dot, or an arrow to where the point lies beyond the panel.
+  static void add_point(View& view, std::string id, Role role, const Spot& spot) {
+    if (spot.here()) return view.add({std::move(id), role, Dot{spot.at}});
+    view.add({std::move(id), role, Stroke{spot.end(), spot.at, true}});
   }
-
-  /// A point of the camera plane on the paper, and whether it is shown there.
-  std::pair<bool, dvec2> plane_point(std::size_t i) const {
+  Spot plane_spot(std::size_t i) const {
     const Extent shown = plane_.shown();
-    const dvec2 p = subject_.points[i];
-    return {shown.holds(p), plane_.at(clamped_to(shown, p))};
+    Extent drawn;
+    drawn.add(plane_.at(shown.lower));
+    drawn.add(plane_.at(shown.upper));
+    return spot_in(widened(drawn, 1e-9), plane_.at(subject_.points[i]));
   }
   void add_plane(View& view, const std::vector<Fate>& fates, std::size_t current) const {
     view.add({"caption plane", Role::guide,
@@ -188,10 +195,10 @@ class Drawing {
     const auto& [lower, upper] = subject_.map.window;
     view.add({"window", Role::boundary, Path{plane_.at(Extent{lower, upper}.corners()), true}});
     for (std::size_t i = 0; i < subject_.points.size(); ++i) {
-      const auto [here, at] = plane_point(i);
+      const Spot spot = plane_spot(i);
       const Role role = i == current ? Role::current : fates[i].outside ? Role::rejected : Role::input;
-      add_point(view, "point " + letter(i), role, plane_.place(), here, at);
-      view.add({"point name " + letter(i), role, Label{at, letter(i)}});
+      add_point(view, "point " + letter(i), role, spot);
+      view.add({"point name " + letter(i), role, Label{spot.at, letter(i)}});
     }
   }
 
@@ -203,10 +210,10 @@ class Drawing {
     add_measure(view, "across", plane_.at(from), plane_.at({p.x, from.y}), std::abs(p.x - from.x));
     add_measure(view, "down", plane_.at({p.x, from.y}), plane_.at(p), std::abs(p.y - from.y));
     if (!fate.place) return;
-    const auto [there, to] = shown_at(*fate.place);
-    if (!there) return;
+    const Spot to = picture_spot(*fate.place);
+    if (!to.here()) return;
     add_measure(view, "column", picture_.at({0, 0}), picture_.at({fate.place->x, 0}), fate.place->x);
-    add_measure(view, "row", picture_.at({fate.place->x, 0}), to, fate.place->y);
+    add_measure(view, "row", picture_.at({fate.place->x, 0}), to.at, fate.place->y);
   }
   static void add_measure(View& view, std::string id, dvec2 from, dvec2 to, double value) {
     view.add({id, Role::measure, Stroke{from, to}});
@@ -275,16 +282,16 @@ class Drawing {
       if (!fate.place || done) view.add({"pixel name " + name, role, Label{middle, name}});
     }
     if (!fate.moved() || !current) return;
-    const dvec2 from = shown_at(dvec2(*fate.nearest)).second;
+    const dvec2 from = picture_spot(dvec2(*fate.nearest)).at;
     view.add({"moved " + name, Role::rejected, Stroke{from, middle, true, true}});
   }
 
   void add_place(View& view, const Fate& fate, const std::string& name, bool current) const {
     if (fine_ && fate.pixel && !current) return;  // drawn as its pixel
-    const auto [inside, at] = shown_at(*fate.place);
+    const Spot spot = picture_spot(*fate.place);
     const Role role = fate.outside ? Role::rejected : current ? Role::current : Role::input;
-    add_point(view, "place " + name, role, picture_.place(), inside, at);
-    view.add({"place name " + name, role, Label{at, name}});
+    add_point(view, "place " + name, role, spot);
+    view.add({"place name " + name, role, Label{spot.at, name}});
   }
 
   // --- The point at hand, on its way
@@ -292,10 +299,9 @@ class Drawing {
   /// From the camera plane to its place, and the pixel there enlarged.
   void add_way(View& view, std::size_t i, const Fate& fate) const {
     if (!fate.place) return;
-    const auto [here, from] = plane_point(i);
-    const dvec2 to = shown_at(*fate.place).second;
+    const Spot from = plane_spot(i), to = picture_spot(*fate.place);
+    if (from.here()) view.add({"way", Role::current, Stroke{from.at, to.end(), to.here(), true}});
     if (!holds(subject_.map.viewport, *fate.place)) {
-      if (here) view.add({"way", Role::current, Stroke{from, to, true, true}});
       if (fate.moved()) add_move(view, fate);
       return;
     }
@@ -303,7 +309,6 @@ class Drawing {
     const dvec2 room = fine_ ? dvec2{3, 2} : dvec2{0};
     const Extent part{dvec2(own) - room - 0.3, dvec2(own) + room + 1.3};
     add_enlarged(view, PictureView(enlarged_place, part, rows_down()), fate, own);
-    if (here) view.add({"way", Role::current, Stroke{from, to, true, true}});
   }
 
   /// A place outside and the pixel that it is moved into, enlarged where they are near each other.
@@ -363,12 +368,13 @@ class Drawing {
   void add_lines(View& view, const std::vector<Fate>& fates) const {
     for (std::size_t i = 1; i < fates.size(); ++i) {
       if (!fates[i - 1].pixel || !fates[i].pixel) continue;
-      const auto [in, a] = shown_at(*fates[i - 1].place);
+      const Spot from_here = picture_spot(*fates[i - 1].place);
+      const dvec2 a = from_here.at;
       const dvec2 way = picture_.at(*fates[i].place) - a;
       // Only as far as the panel shows it
       const double most = span_in(picture_.place(), a, way, 0, 1).second;
       const std::string names = letter(i - 1) + letter(i);
-      if (in && most > 0) {
+      if (from_here.here() && most > 0) {
         view.add({"line " + names, Role::candidate, Stroke{a, a + most * way}});
       }
       const dvec2 from = picture_.at(centre(*fates[i - 1].pixel)), to = picture_.at(centre(*fates[i].pixel));
