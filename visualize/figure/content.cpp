@@ -1,12 +1,8 @@
 #include "figure/content.hpp"
 
 #include <map>
-#include <optional>
-#include <set>
 #include <string>
 #include <string_view>
-#include <tuple>
-#include <unordered_map>
 #include <variant>
 
 #include "figure/layout/layout.hpp"
@@ -88,71 +84,6 @@ class Survey {
   std::map<std::pair<double, double>, Content::TextRoom> texts_;
 };
 
-/// Texts and pictures have no look that a legend could tell.
-bool shows_its_role(const Mark& mark) {
-  return !std::holds_alternative<Text>(mark.shape) && !std::holds_alternative<Label>(mark.shape) &&
-         !std::holds_alternative<Picture>(mark.shape);
-}
-
-/// What a legend can tell of the drawing while steps change it.
-class LegendWatch {
- public:
-  void set(const Mark& mark) {
-    remove(mark.id);
-    if (!shows_its_role(mark)) return;
-    roles_.emplace(mark.id, mark.role);
-    ++seen_[Seen{mark.role, std::nullopt}];
-  }
-  void apply(const Delta& delta) {
-    for (const std::string& id : delta.removed) remove(id);
-    for (const CellChange& change : delta.cells) put(change);
-    for (const Mark& mark : delta.set) set(mark);
-  }
-  LegendEntries shown(const std::vector<LegendEntry>& legend) const {
-    LegendEntries entries = 0;
-    for (std::size_t i = 0; i < legend.size(); ++i) {
-      const auto found = seen_.find({legend[i].role, legend[i].color});
-      if (found != seen_.end() && found->second > 0) entries |= LegendEntries{1} << i;
-    }
-    return entries;
-  }
-
- private:
-  /// A role, and of a cell with a colour of its own that.
-  struct Seen {
-    Role role;
-    std::optional<Rgba8> color;
-    friend bool operator<(const Seen& a, const Seen& b) { return key(a) < key(b); }
-    static std::tuple<Role, bool, std::uint32_t> key(const Seen& s) {
-      const Rgba8 c = s.color.value_or(Rgba8{});
-      const auto code = static_cast<std::uint32_t>((c.r << 16) | (c.g << 8) | c.b);
-      return {s.role, s.color.has_value(), code};
-    }
-  };
-
-  void remove(const std::string& id) {
-    const auto found = roles_.find(id);
-    if (found == roles_.end()) return;
-    --seen_[Seen{found->second, std::nullopt}];
-    roles_.erase(found);
-  }
-  void put(const CellChange& change) {
-    const std::uint64_t key = key_of(change.at);
-    if (const auto found = cells_.find(key); found != cells_.end()) {
-      --seen_[found->second];
-      cells_.erase(found);
-    }
-    if (!change.look) return;
-    const Seen now{change.look->role, change.look->color};
-    cells_.emplace(key, now);
-    ++seen_[now];
-  }
-
-  std::unordered_map<std::string, Role> roles_;  ///< of marks, by id
-  std::unordered_map<std::uint64_t, Seen> cells_;
-  std::map<Seen, std::int64_t> seen_;
-};
-
 }  // namespace
 
 Content content_of(const Trace& trace) {
@@ -164,19 +95,6 @@ Content content_of(const Trace& trace) {
     for (const CellChange& change : step.delta.cells) survey.add(change);
   }
   return std::move(survey).content();
-}
-
-std::vector<LegendEntries> legends_of(const Trace& trace) {
-  const bool from_the_start = !trace.steps.empty() && trace.steps.front().number == StepNumber{};
-  if (!from_the_start || trace.legend.size() > 64) return {};
-  LegendWatch watch;
-  for (const Mark& mark : trace.backdrop) watch.set(mark);
-  std::set<LegendEntries> seen;
-  for (const TraceStep& step : trace.steps) {
-    watch.apply(step.delta);
-    seen.insert(watch.shown(trace.legend));
-  }
-  return {seen.begin(), seen.end()};
 }
 
 }  // namespace gradus

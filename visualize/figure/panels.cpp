@@ -281,13 +281,14 @@ void lay_out_counts(Pen& pen, const SheetPanel& panel, const Box& box) {
 }
 
 /// Whether a frame shows anything of a mark that a legend tells of.
-bool shows(const Frame& frame, const Mark& mark) {
+bool shows(const Frame& frame, const Mark& mark, bool asides) {
   Content::Part reach;
   const auto add = [&](dvec2 p) { reach.add(frame.point(p)); };
   if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
     add(stroke->a);
     add(stroke->b);
   } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
+    if (path->aside && !asides) return false;
     std::ranges::for_each(path->points, add);
   } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
     add(dot->at);
@@ -305,8 +306,9 @@ bool shows(const Frame& frame, const Mark& mark) {
 /// missing.
 class SeenPart {
  public:
-  SeenPart(const Figure& figure, const Frame& frame) : figure_(figure) {
-    const auto unseen = [&frame](const Mark& mark) { return !shows(frame, mark); };
+  SeenPart(const Figure& figure, const Scene& scene) : figure_(figure) {
+    const bool asides = !scene.among_many && !scene.bare;
+    const auto unseen = [&](const Mark& mark) { return !shows(scene.frame, mark, asides); };
     if (std::ranges::any_of(figure.trace->backdrop, unseen)) {
       trace_ = *figure.trace;
       std::erase_if(trace_->backdrop, unseen);
@@ -365,7 +367,8 @@ class PanelSheet {
     }
     name_shapes_from(first, fmt::format("panel {} ", number + 1));
     drawn_ = number == 0 ? frame : around(drawn_, frame);
-    if (last) draw_bands(panel.figure, scene.frame);
+    keep_legend(panel.figure, scene);
+    if (last) draw_bands(panel.figure);
   }
 
   Sheet finish() {
@@ -404,11 +407,33 @@ class PanelSheet {
     for (std::size_t i = first; i < sheet_.shapes.size(); ++i) sheet_.shapes[i].id.insert(0, prefix);
   }
 
-  void draw_bands(Figure figure, const Frame& frame) {
+  /// One legend for all: an entry that any of them shows, with the look that it has where it has most looks.
+  void keep_legend(Figure figure, const Scene& scene) {
     const Figure whole = figure;
-    const SeenPart seen(whole, frame);
+    const SeenPart seen(whole, scene);
     figure.trace = &seen.trace();
     figure.canvas = &seen.canvas();
+    for (auto& [entry, mark] : shown_legend(figure, scene.frame.view)) {
+      const auto same = [&](const auto& known) { return known.first.text == entry.text; };
+      const auto known = std::ranges::find_if(legend_, same);
+      if (known == legend_.end())
+        legend_.emplace_back(std::move(entry), std::move(mark));
+      else if (known->second.dots.size() < mark.dots.size())
+        known->second = std::move(mark);
+    }
+  }
+  /// In the order of the banner's.
+  ShownLegend legend() const {
+    ShownLegend sorted;
+    for (const LegendEntry& entry : band_.banner.legend) {
+      for (const auto& shown : legend_) {
+        if (shown.first.text == entry.text) sorted.push_back(shown);
+      }
+    }
+    return sorted;
+  }
+
+  void draw_bands(Figure figure) {
     figure.sentence = band_.sentence;
     figure.position = band_.position;
     figure.phase.clear();
@@ -421,9 +446,8 @@ class PanelSheet {
     draw_slot(Slot::title, at.title, [&](Pen& pen, const Box& box) { lay_out_title(pen, at.heading, box); });
     draw_slot(Slot::sentence, at.sentence,
               [&](Pen& pen, const Box& box) { lay_out_sentence(pen, figure, box, at.sentence_lines); });
-    draw_slot(Slot::footer, at.footer, [&](Pen& pen, const Box& box) {
-      lay_out_footer(pen, figure, box, frame.view, at.footer_lines);
-    });
+    draw_slot(Slot::footer, at.footer,
+              [&](Pen& pen, const Box& box) { lay_out_footer(pen, figure, box, legend(), at.footer_lines); });
   }
 
   const PanelBand& band_;
@@ -435,6 +459,7 @@ class PanelSheet {
   const Stage stage_;
   Sheet sheet_;
   Box drawn_;
+  ShownLegend legend_;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "cli/command_line/errors.hpp"
+#include "figure/legend.hpp"
 #include "figure/panels.hpp"
 #include "figure/which_steps.hpp"
 #include "request/names.hpp"
@@ -18,8 +19,8 @@ namespace {
 
 using fmt::arg;
 
-/// What is said of the run as a whole.
-Trace banner_of(const Trace& trace) {
+/// What is said of the run as a whole, where these of its steps are shown.
+Trace banner_of(const Trace& trace, std::span<const StepNumber> steps) {
   Trace banner;
   banner.topic = trace.topic;
   banner.title = trace.title;
@@ -27,8 +28,7 @@ Trace banner_of(const Trace& trace) {
   banner.method_title = trace.method_title;
   banner.faulty = trace.faulty;
   banner.wording = trace.wording;
-  banner.legend = trace.legend;
-  banner.legends = trace.legends;
+  banner.legend = legend_at(trace, steps);
   banner.longest_sentence = trace.goal;
   return banner;
 }
@@ -197,8 +197,20 @@ std::string joined(const Wording& wording, const std::string& a, const std::stri
   return a == b ? a : wording.say("figure.compared", arg("a", a), arg("b", b));
 }
 
-Trace banner_of(const Trace& a, const Trace& b) {
-  Trace banner = banner_of(a);
+/// Of two legends what either has, each entry behind those that are before it in its own.
+std::vector<LegendEntry> merged(std::vector<LegendEntry> all, const std::vector<LegendEntry>& others) {
+  auto at = all.begin();
+  for (const LegendEntry& entry : others) {
+    const auto same = std::ranges::find(all, entry.text, &LegendEntry::text);
+    at = std::next(same != all.end() ? same : all.insert(at, entry));
+  }
+  return all;
+}
+
+Trace banner_of(const Figure& of_a, const Figure& of_b) {
+  const Trace &a = *of_a.trace, &b = *of_b.trace;
+  Trace banner = banner_of(a, {&of_a.number, 1});
+  banner.legend = merged(std::move(banner.legend), legend_at(b, {&of_b.number, 1}));
   banner.title = joined(a.wording, a.title, b.title);
   // Topics word the same input each in its own way
   if (a.topic == b.topic) banner.subtitle = joined(a.wording, a.subtitle, b.subtitle);
@@ -255,7 +267,7 @@ Sheet panels_sheet(const FigureSpec& spec, Takes& takes, const Look& look) {
   std::vector<TraceStep> told;
   for (const StepNumber step : steps) told.push_back(told_step(takes.figure(step)));
   const Names names = names_of(told);
-  PanelBand band{banner_of(trace), panels_text(spec, takes), trace.goal};
+  PanelBand band{banner_of(trace, steps), panels_text(spec, takes), trace.goal};
   for (const StepNumber step : steps) band.own_sentences.push_back(takes.figure(step).sentence);
   return lay_out_panels(runs, band, look, [&](std::size_t i) {
     const Figure figure = takes.figure(steps[i]);
@@ -290,7 +302,7 @@ Sheet compared_sheet(const FigureSpec& spec, Takes& takes, StepNumber step, cons
   const std::array runs{&of_a, &of_b};
   const Wording& wording = of_a.wording;
   const bool results = both_right(spec, takes) && step == StepNumber{takes.last(), 0};
-  const PanelBand band{.banner = banner_of(of_a, of_b),
+  const PanelBand band{.banner = banner_of(a, b),
                        .position = joined(wording, a.position, b.position),
                        .sentence = "",
                        .own_sentences = {of_a.longest_sentence, of_b.longest_sentence},

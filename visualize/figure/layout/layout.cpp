@@ -131,7 +131,7 @@ Sheet lay_out(const Figure& figure, const Look& look) {
   lay_out_slot(Slot::sentence, at.sentence,
                [&](Pen& pen, const Box& box) { lay_out_sentence(pen, figure, box, at.sentence_lines); });
   lay_out_slot(Slot::footer, at.footer, [&](Pen& pen, const Box& box) {
-    lay_out_footer(pen, figure, box, scene.frame.view, at.footer_lines);
+    lay_out_footer(pen, figure, box, shown_legend(figure, scene.frame.view), at.footer_lines);
   });
   typeset(sheet, *figure.trace, last_rows(figure));
   if (look.crop) return cropped(std::move(sheet), crop_box(at, scene.settled, look, s));

@@ -96,6 +96,9 @@ struct LegendMark {
 };
 /// How the drawing shows the role; nothing where it does not.
 std::optional<LegendMark> legend_mark(const Figure& figure, const Window& view, const LegendEntry& entry);
+/// The entries that a drawing shows.
+using ShownLegend = std::vector<std::pair<LegendEntry, LegendMark>>;
+ShownLegend shown_legend(const Figure& figure, const Window& view);
 void draw_legend_mark(Pen& pen, const std::string& id, Role role, const LegendMark& mark, const Box& box);
 
 // --- The drawing ---------------------------------------------------------------------------------
@@ -343,7 +346,7 @@ std::vector<std::string> sentence_lines(const std::string& sentence, double size
 /// The position of the step, and the legend.
 /// Lines that the footer takes so that the whole legend has room.
 int footer_lines(const Trace& trace, double room);
-void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window& view, int lines);
+void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const ShownLegend& legend, int lines);
 
 void lay_out_title(Pen& pen, const Heading& heading, const Box& box);
 /// The figure's sentence in at most so many lines.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -49,28 +48,18 @@ struct Lines {
   }
 };
 
-struct ShownEntry {
-  const LegendEntry* entry;
-  LegendMark mark;
-  double swatch, width;  ///< pixels: of the mark, and with its text
+/// Pixels: of the mark, and with its text.
+struct Widths {
+  double swatch, all;
 };
-
-std::vector<ShownEntry> shown_entries(const Figure& figure, const Window& view, double s) {
-  std::vector<ShownEntry> entries;
-  for (const LegendEntry& entry : figure.trace->legend) {
-    const auto mark = legend_mark(figure, view, entry);
-    if (!mark) continue;
-    const bool round =
-        (mark->sample == Sample::dot || mark->sample == Sample::ring) && mark->dots.size() == 1;
-    const double swatch = (round || mark->sample == Sample::cross ? smallest_swatch : largest_swatch) * s;
-    entries.push_back(
-        {&entry, *mark, swatch, swatch + to_text * s + text_width(entry.text, Face::sans, text_size * s)});
-  }
-  return entries;
+Widths widths_of(const LegendEntry& entry, const LegendMark& mark, double s) {
+  const bool round = (mark.sample == Sample::dot || mark.sample == Sample::ring) && mark.dots.size() == 1;
+  const double swatch = (round || mark.sample == Sample::cross ? smallest_swatch : largest_swatch) * s;
+  return {swatch, swatch + to_text * s + text_width(entry.text, Face::sans, text_size * s)};
 }
 
-int lines_for(std::span<const ShownEntry> entries, Lines lines, double gap) {
-  for (const ShownEntry& entry : entries) lines.place(entry.width, gap);
+int lines_for(const ShownLegend& legend, Lines lines, double gap, double s) {
+  for (const auto& [entry, mark] : legend) lines.place(widths_of(entry, mark, s).all, gap);
   return lines.line;
 }
 
@@ -98,10 +87,9 @@ int footer_lines(const Trace& trace, double room) {
   return lines;
 }
 
-void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window& view, int lines) {
+void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const ShownLegend& entries, int lines) {
   const double s = pen.scale(), size = text_size * s;
   const double baseline = box.y + (box.width < 1000 * s ? 28 : 32) * s;
-  const std::vector<ShownEntry> entries = shown_entries(figure, view, s);
   std::string place;
   Lines legend{};
   double gap = 0;
@@ -113,18 +101,19 @@ void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window
     const double left = std::max(setting.left * s, text_width(place, Face::sans, size) + to_legend * s);
     legend = {box.x, box.right(), box.x + left};
     gap = setting.gap * s;
-    if (lines_for(entries, legend, gap) <= lines) break;
+    if (lines_for(entries, legend, gap, s) <= lines) break;
   }
   pen.text("position", {{box.x, baseline}, place, Face::sans, size, Align::left, Paint::of(Tone::muted)});
-  for (const auto& [entry, mark, swatch_width, width] : entries) {
+  for (const auto& [entry, mark] : entries) {
+    const auto [swatch_width, width] = widths_of(entry, mark, s);
     const double x = legend.place(width, gap);
     if (legend.line > lines || x + width > box.right()) break;  // a text longer than the sheet is wide
     const double y = baseline + (legend.line - 1) * footer_line * s;
-    const std::string id = std::string(name_of(entry->role));
+    const std::string id = std::string(name_of(entry.role));
     const Box swatch{x, y - 16 * s, swatch_width, 18 * s};
-    draw_legend_mark(pen, "legend " + id, entry->role, mark, swatch);
+    draw_legend_mark(pen, "legend " + id, entry.role, mark, swatch);
     pen.text("legend text " + id, {{swatch.right() + to_text * s, y},
-                                   entry->text,
+                                   entry.text,
                                    Face::sans,
                                    size,
                                    Align::left,

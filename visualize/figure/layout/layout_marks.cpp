@@ -89,7 +89,7 @@ struct Kinds {
   bool cell = false, area = false, line = false, outline = false, arrow = false, dot = false, ring = false;
   bool solid = false;                ///< a line that is not dashed
   bool full = false;                 ///< a line that is not thin
-  int shade = 0;                     ///< of its areas
+  int lightest = 3, darkest = 0;     ///< shades of its areas; 0: its fill
   std::set<std::string> quantities;  ///< of its dots
 
   void add(const Mark& mark) {
@@ -106,9 +106,12 @@ struct Kinds {
       quantities.insert(mark.quantity);
     } else if (const Area* inside = std::get_if<Area>(&mark.shape)) {
       area = true;
-      shade = std::max(shade, std::min(inside->shade, 2));
+      lightest = std::min(lightest, inside->shade);
+      darkest = std::max(darkest, inside->shade);
     }
   }
+  /// Of a solid's the middle one.
+  int shade() const { return std::clamp(2, std::min(lightest, darkest), darkest); }
   bool lines() const { return line || outline || arrow; }
   std::optional<Sample> sample() const {
     if (cell) return Sample::cell;
@@ -154,11 +157,19 @@ std::optional<LegendMark> legend_mark(const Figure& figure, const Window& view, 
   const auto sample = kinds.sample();
   if (!sample) return std::nullopt;
   LegendMark mark{entry.sample.value_or(*sample), kinds.lines() && !kinds.solid, kinds.area && kinds.lines(),
-                  kinds.shade, kinds.lines() && !kinds.full};
+                  kinds.shade(), kinds.lines() && !kinds.full};
   for (const std::string& quantity : kinds.quantities)
     mark.dots.push_back(mark_paint(*figure.trace, {"", entry.role, Dot{}, quantity}));
   if (mark.dots.empty()) mark.dots.push_back(Paint::mark(entry.role));
   return mark;
+}
+
+ShownLegend shown_legend(const Figure& figure, const Window& view) {
+  ShownLegend shown;
+  for (const LegendEntry& entry : figure.trace->legend) {
+    if (auto mark = legend_mark(figure, view, entry)) shown.emplace_back(entry, std::move(*mark));
+  }
+  return shown;
 }
 
 namespace {

@@ -79,7 +79,10 @@ void tell_list(Narrator& narrator, std::vector<Column> columns, Run run, bool ad
                    {Role::accepted, "seen"},
                    {Role::rejected, "hidden"},
                    {Role::past, "covered"}});
-  narrator.trace().legend[1].sample = Sample::dot;  // as in the pixel
+  // As in the pixel
+  narrator.trace().legend[1].sample = Sample::dot;
+  narrator.trace().legend[2].sample = Sample::ring;
+  narrator.trace().legend[3].sample = Sample::dot;
   ListStory story(narrator.words(), pieces, adds_up ? 1 : std::max(1.0, sum_of(pieces)));
   LargePixel::let_drag(narrator, pieces[0]);
   const auto watch = narrator.watcher(story);

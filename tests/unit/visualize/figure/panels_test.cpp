@@ -449,6 +449,25 @@ TEST(Panels, HaveALegendOfWhatIsSeenInThem) {
   EXPECT_FALSE(has(faces, "legend text accepted")) << "its depths so far";
 }
 
+TEST(Panels, HaveOneLegendOfWhatAnyOfThemShows) {
+  const auto says = [](const Sheet& sheet, const std::string& entry) {
+    return std::ranges::any_of(sheet.shapes, [&](const Shape& shape) {
+      const TextShape* text = std::get_if<TextShape>(&shape.what);
+      return text && shape.id.starts_with("legend text") && text->text == entry;
+    });
+  };
+  // The last point has no pixel, the others lie inside
+  const Sheet points = sheet_for(spec_of("viewport", {{"panels", "phases"}}));
+  EXPECT_TRUE(says(points, "its pixel"));
+  EXPECT_TRUE(says(points, "outside"));
+  // Each run has its own
+  const Sheet runs = sheet_for(spec_of("cohen_sutherland_2d", {{"compare", "liang_barsky"}}));
+  for (const char* entry : {"window", "given ends", "in the window", "enters", "leaves"})
+    EXPECT_TRUE(says(runs, entry)) << entry;
+  // What is left out where drawings are many: the frame of the stage that is told
+  EXPECT_FALSE(says(sheet_for(spec_of("pipeline", {{"panels", "6,7,8"}})), "removed"));
+}
+
 TEST(Panels, OfTheViewportAreFilledByBothFrames) {
   const Sheet sheet = sheet_for(spec_of("viewport", {{"panels", "phases"}}));
   double widths = 0;

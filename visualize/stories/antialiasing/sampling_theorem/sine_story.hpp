@@ -222,6 +222,8 @@ inline void tell_sine(Narrator& narrator) {
                    {Role::candidate, "copies"},
                    {Role::guide, "band"},
                    {Role::result, "back"}});
+  for (const std::size_t on_a_stem : {std::size_t{1}, std::size_t{2}})
+    narrator.trace().legend[on_a_stem].sample = Sample::dot;
   narrator.trace().legend[4].sample = Sample::area;
   SineStory story(narrator.words(), subject);
   story.let_drag(narrator);
@@ -324,6 +326,8 @@ inline void tell_at_least_twice(Narrator& narrator) {
                    {Role::current, "sample"},
                    {Role::accepted, "samples"},
                    {Role::rejected, "back"}});
+  for (const std::size_t on_a_stem : {std::size_t{1}, std::size_t{2}})
+    narrator.trace().legend[on_a_stem].sample = Sample::dot;
   TwiceStory story(narrator.words(), subject);
   const auto watch = narrator.watcher(story);
   std::vector<double> samples(static_cast<std::size_t>(subject.count));

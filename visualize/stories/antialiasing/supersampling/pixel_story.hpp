@@ -216,6 +216,9 @@ inline void tell_supersample(Narrator& narrator) {
                    {Role::accepted, "inside"},
                    {Role::rejected, "outside"},
                    {Role::result, "mean"}});
+  // Also where squares as large as their weights stand round them
+  narrator.trace().legend[2].sample = Sample::dot;
+  narrator.trace().legend[3].sample = Sample::ring;
   if (subject.filter == Filter::box) narrator.add_to_legend(Role::measure, "exact");
   PixelStory story(narrator.words(), subject);
   narrator.handles("corners", [&](dvec2 corner) { return story.grip_at(corner); });
