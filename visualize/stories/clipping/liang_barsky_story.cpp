@@ -150,7 +150,7 @@ class Story {
     view.add({c.id() + " stem", Role::guide, Stroke{foot, head - dvec2{0, 0.8}}});
     const std::string bound = c.enters() ? "enter" : "leave";
     view.add({c.id() + " dot", role, Dot{foot, c.leaves()}, bound});
-    view.add({c.id() + " text", role, Text{head, text, align}, bound});
+    view.add({c.id() + " text", role, Text{head, text, align, true}, bound});
     ground_.add_crossing(view, c, role, name(c.border), bound);
   }
   /// "in: left"; of a value beyond the scale the number, too.

@@ -65,7 +65,7 @@ class Scale {
   }
 
  private:
-  static constexpr double from = 3.5, to = 32, height = 2.3, off = 5, name_room = 2.4;
+  static constexpr double from = 7, to = 29, height = 2.3, off = 4, name_room = 2.4;
   /// The axis goes on behind a break.
   static void add_end(View& view, const std::string& id, dvec2 end, dvec2 scale) {
     const dvec2 way = scale - end, middle = end + 0.5 * way;
