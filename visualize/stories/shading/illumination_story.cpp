@@ -272,6 +272,7 @@ void tell_place(Narrator& narrator) {
                    {Role::measure, "highlight"},
                    {Role::rejected, "rejected"}});
   const PlaceDrawing drawing(narrator.words(), subject, mirror, below, brightest_of(own, right));
+  if (drawing.is_high()) narrator.trace().grid.lines = 0.75;  // its names have room between the vectors
   const Balls balls(subject, drawing.left(), [&](dvec3 normal) {
     Subject turned = subject;
     turned.normal = normal;

@@ -410,7 +410,7 @@ constexpr auto by_mean_z = [](const auto&... with) { descending_mean_z(with...);
 
 const Checking& checking() {
   static const Checking known{
-      .asked = {{.name = "order", .same = SameList::order, .type = "Drawn", .fields = {"key"}}}};
+      .asked = {{.name = "order", .same = SameList::order, .type = "Drawn", .fields = {"polygon"}}}};
   return known;
 }
 

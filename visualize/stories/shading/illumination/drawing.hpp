@@ -69,6 +69,8 @@ class PlaceDrawing {
     return v == dvec3{0} ? std::nullopt : std::optional(in_cells(tip(angle(v), 1)));
   }
   dvec3 left() const { return left_; }
+  /// Whether it reaches below the surface, where lamps are or a range is drawn.
+  bool is_high() const { return from_below_ || with_range(); }
 
   /// The drawing in cells, and below it the terms as balls: ambient + scattered + highlight = sum.
   View with_balls(View view, const Balls& balls) const {
