@@ -23,15 +23,16 @@ class ProductStory {
       reversed_.assign(subject.factors.rbegin(), subject.factors.rend());
       others_ = stages(reversed_, false);
     }
-    Extent world = world_of_axes(dvec3(reach_of(subject.size)));
+    Extent world = world_of_axes(reach());
     for (const auto* list : {&stages_, &others_}) {
       for (const Shape& shape : *list) far_ = std::max(far_, 1.5 * length_between(shape[0], shape[7]));
     }
     for (const auto* list : {&stages_, &others_}) {
       for (const Shape& shape : *list) add_to(world, nearer(shape, far_));
     }
-    panels_.emplace_back(others_.empty() ? single_place : left_place, widened(world, 0.03));
-    if (!others_.empty()) panels_.emplace_back(right_place, widened(world, 0.03));
+    world = widened(world, 0.005);
+    panels_.push_back(others_.empty() ? Panel(single_place, world) : at_the_top(left_place, world));
+    if (!others_.empty()) panels_.push_back(at_the_top(right_place, world));
   }
   const Panel& panel() const { return panels_[0]; }
 
@@ -76,6 +77,11 @@ class ProductStory {
   }
 
  private:
+  /// Near the matrix above it, also where it is as wide as its place.
+  static Panel at_the_top(Extent place, const Extent& world) {
+    place.lower.y = place.upper.y - Panel(place, world).scale().y * world.size().y;
+    return {place, world};
+  }
   /// The box after each factor.
   std::vector<Shape> stages(const std::vector<Mat>& factors, bool rows) const {
     const Shape box = box_of(subject_.size);
@@ -109,22 +115,36 @@ class ProductStory {
     half(view, 0, stages_, role);
     if (!others_.empty()) half(view, 1, others_, role);
     const Role now = done_ > 0 ? role : Role::input;
-    const auto add = [&](std::size_t i, double x, double wide, const Mat& m) {
-      add_product(view, fmt::format("m {}", i), {x, 24.1}, wide, m, heading(i), now, words_);
-    };
     if (others_.empty()) {
-      add(0, 0.5 * (single_place.upper.x + paper_width) - 0.4, 16.8, product_);
+      const double x = 0.5 * (single_place.upper.x + paper_width) - 0.4;
+      add_product(view, "m 0", {x, 24.1}, 16.8, product_, product(0), now, words_);
     } else {
-      add(0, left_place.centre().x, 16.8, product_);
-      add(1, right_place.centre().x, 16.8, by_rows_ ? product_ : product_of(reversed_));
+      add_titled(view, 0, product_, now);
+      add_titled(view, 1, by_rows_ ? product_ : product_of(reversed_), now);
     }
     board.milestone(std::move(view));
+  }
+  /// The matrix over a half, its name and what the half shows beside it; where it is wide, above.
+  void add_titled(View& view, std::size_t i, const Mat& m, Role role) const {
+    constexpr double wide = 16.8, top = 25, middle = top - 3.25, beside = 8.2;
+    const Extent& place = i == 0 ? left_place : right_place;
+    const MatrixRows rows = gradus::fitted(rows_of(m, words_), wide);
+    const dvec2 size = matrix_size(rows);
+    const std::string id = fmt::format("m {}", i);
+    if (size.x > wide - beside) {
+      add_product(view, id, {place.centre().x, top + 2}, wide, m, title(i) + ": " + product(i), role, words_);
+      return;
+    }
+    const dvec2 at{place.upper.x - size.x - 1.1, middle - 1};
+    add_matrix(view, id, {place.upper.x - 0.5, middle}, "", rows, role, true);
+    view.add({id + " name", role, Text{at, product(i), Align::right, true}});
+    view.add({id + " above", role, Text{at, title(i), Align::right, false, -1}});
   }
   void half(View& view, std::size_t i, const std::vector<Shape>& list, Role role) const {
     const std::string id = i == 0 ? "left" : "right";
     const Panel& panel = panels_[i];
     SpaceDrawing space = drawing_in(panel);
-    add_axes_of_space(view, space, panel, id, dvec3(reach_of(subject_.size)), words_);
+    add_axes_of_space(view, space, panel, id, reach(), words_);
     if (done_ > 0) add_given(space, id + " 0", list[0]);
     if (done_ > 1) add_outline(space, id + " 1", Role::past, nearer(list[done_ - 1], far_));
     const Shape now = nearer(list[done_], far_);
@@ -139,17 +159,21 @@ class ProductStory {
     for (std::size_t k = 0; k < done_; ++k) product = factors[k] * product;
     return product;
   }
-  /// What acts on the points of this picture by now: "M2·M1 =".
-  std::string heading(std::size_t half) const {
-    const std::size_t n = subject_.factors.size();
-    std::string name = product_name(words_.wording(), done_);
-    if (half == 1 && !by_rows_ && done_ > 0) {
-      std::vector<std::string> names;
-      for (std::size_t k = n - done_; k < n; ++k) names.push_back(factor_name(words_.wording(), k));
-      name = chained(words_.wording(), std::move(names));
-    }
-    return (by_rows_ ? words_.say(half == 0 ? "as_row" : "as_column", {{"product", name}}) : name) + " =";
+  /// What tells one half from the other.
+  std::string title(std::size_t half) const {
+    if (by_rows_) return words_.say(half == 0 ? "as_row" : "as_column");
+    return words_.say(half == 0 ? "as_given" : "reversed");
   }
+  /// What acts on the points of this picture by now: "M2·M1 =".
+  std::string product(std::size_t half) const {
+    const std::size_t n = subject_.factors.size();
+    if (half == 0 || by_rows_ || done_ == 0) return product_name(words_.wording(), done_) + " =";
+    std::vector<std::string> names;
+    for (std::size_t k = n - done_; k < n; ++k) names.push_back(factor_name(words_.wording(), k));
+    return chained(words_.wording(), std::move(names)) + " =";
+  }
+  /// The axis of x ends beyond what lies along it, that of y below the matrix.
+  dvec3 reach() const { return reach_of(subject_.size) * dvec3{1.06, 0.95, 1}; }
 
   const Words& words_;
   const Subject& subject_;

@@ -150,10 +150,10 @@ inline void add_arrow(View& view, const Panel& panel, const std::string& id, Rol
 /// How far the axes of space reach, for a box and what is near it.
 inline double reach_of(dvec3 box) { return 1.2 * std::max({box.x, box.y, box.z}); }
 
-constexpr int paper_width = 36, paper_height = 25;
+constexpr int paper_width = 37, paper_height = 28;
 /// Where space is drawn: alone, beside the matrix, or twice, each below its own.
 constexpr Extent whole_place{{0.8, 2.2}, {35.2, 24.4}}, single_place{{0.4, 0.8}, {18, 24.2}},
-    left_place{{0.3, 0.3}, {17.7, 16.4}}, right_place{{18.3, 0.3}, {35.7, 16.4}};
+    left_place{{0.3, 0}, {17.7, 18.8}}, right_place{{18.3, 0}, {35.7, 18.8}};
 
 inline Shape tips_of_axes(dvec3 reach) { return {{reach.x, 0, 0}, {0, reach.y, 0}, {0, 0, reach.z}}; }
 
@@ -182,15 +182,20 @@ inline Extent world_of_axes(dvec3 reach) {
   return world;
 }
 
-/// A matrix of space below its name, in the middle of a part of the paper this wide; `top` is where its name
-/// stands. What is too wide has fewer decimals; numbers too long for any are left to the steps.
-inline void add_product(View& view, const std::string& id, dvec2 top, double wide, const Mat& m,
-                        const std::string& name, Role role, const Words& words) {
+/// As the reader's notation has it.
+inline MatrixRows rows_of(const Mat& m, const Words& words) {
   MatrixRows rows(4);
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) rows[static_cast<std::size_t>(y)].push_back(m[x][y]);
   }
-  rows = gradus::fitted(oriented(words.wording(), std::move(rows)), wide);
+  return oriented(words.wording(), std::move(rows));
+}
+
+/// A matrix of space below its name, in the middle of a part of the paper this wide; `top` is where its name
+/// stands. What is too wide has fewer decimals; numbers too long for any are left to the steps.
+inline void add_product(View& view, const std::string& id, dvec2 top, double wide, const Mat& m,
+                        const std::string& name, Role role, const Words& words) {
+  const MatrixRows rows = gradus::fitted(rows_of(m, words), wide);
   view.add({id + " name", role, Text{top, name, Align::centre, true}});
   const dvec2 size = matrix_size(rows);
   if (size.x <= wide) add_matrix(view, id, top + dvec2{size.x / 2, -0.9 - size.y / 2}, "", rows, role, true);
