@@ -225,10 +225,10 @@ void Cards::division(View& view) const {
   for (std::size_t i = 0; i < std::min(way_.cuts.size(), most_cuts); ++i) cut(card, way_.cuts[i]);
   Texts rows;
   for (std::size_t k = 0; k < std::min(own->after.size(), most_corners); ++k) {
-    const glm::dvec4 at = own->after[k].at;
-    rows.push_back({fmt::format("c{}", k), at_text(shown_clip(words_, at))});
-    rows.push_back(
-        {fmt::format("÷ {}", words_.symbol("w")), place_text(shown_divided(words_, own->divided[k].at))});
+    // The table has the others
+    if (k == 0) rows.push_back({"c0", at_text(shown_clip(words_, own->after[k].at))});
+    rows.push_back({fmt::format("c{} ÷ {}", k, words_.symbol("w")),
+                    place_text(shown_divided(words_, own->divided[k].at))});
   }
   card.down(0.4).high(rows.size()).block(rows, Fence::none, Role::current, 2);
 }

@@ -226,7 +226,16 @@ void Tour::clipping() {
   milestone(views_.clipping(), "Clipping",
             {.text = changed > 0 ? "clipping" : "clipping.none",
              .facts = {{"clipped", changed}, {"gone", gone}, {"triangles", std::ssize(run_.snapped)}},
+             .words = {{"own", own_clipping()}},
              .count = changed > 0 ? std::optional(changed) : std::nullopt});
+}
+
+/// What clipping does to the followed triangle.
+std::string Tour::own_clipping() const {
+  const Clipped* own = run_.clipped_of(piece_.id);
+  if (!own) return words_.say("own.removed", {face_word()});
+  const std::string_view key = own->after.empty() ? "own.gone" : own->changed ? "own.cut" : "own.whole";
+  return words_.say(key, {{"names", corner_names()}, {"corners", own->after.size()}});
 }
 
 void Tour::clipped_corner(const Clipped& own, std::size_t k) {

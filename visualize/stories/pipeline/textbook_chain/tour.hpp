@@ -106,6 +106,7 @@ class Tour {
   void facing();
 
   void clipping();
+  std::string own_clipping() const;
   void clipped_corner(const pipeline::Clipped& own, std::size_t k);
 
   void rasterization();

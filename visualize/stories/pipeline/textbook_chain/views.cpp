@@ -33,10 +33,9 @@ View Views::begin(std::size_t stage, const std::string& caption) const {
   return view;
 }
 
-Panel Views::panel(const Extent& world) const {
-  // A margin for names
+Panel Views::panel(const Extent& world, dvec2 margin) const {
   const Extent place = paper_.panel();
-  const dvec2 margin = dvec2{1.4, 0.8} * unit_;
+  margin *= unit_;
   return {{place.lower + margin, place.upper - margin}, widened(world, 0.02), Panel::Fit::same_scale, false};
 }
 

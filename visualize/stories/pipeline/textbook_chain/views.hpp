@@ -63,7 +63,8 @@ class Views {
 
   /// The stages, and which is told; and what the panel shows.
   View begin(std::size_t stage, const std::string& caption) const;
-  Panel panel(const Extent& world) const;
+  /// margin: for names, in units.
+  Panel panel(const Extent& world, dvec2 margin = {1.4, 0.8}) const;
   void polygon(View& view, const Panel& panel, std::string id, Role role, const std::vector<dvec2>& points,
                bool dashed = false) const;
   void area(View& view, const Panel& panel, std::string id, Role role,

@@ -140,7 +140,7 @@ View Views::clipping(const Pointer& at) const {
     }
     if (part.ring.size() >= 3) parts.push_back(std::move(part));
   }
-  const Panel here = panel(all);
+  const Panel here = panel(all, {0.9, 0.4});  // its names stand round it
   solid(view, here, "clipped", parts);
   wedge(view, here, "x", true);
   for (const Clipped& piece : run_.clipped) {
