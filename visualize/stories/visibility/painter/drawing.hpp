@@ -283,10 +283,12 @@ class OrderStrip {
     }
     const dvec2 below{order_place.lower.x + wide_ * static_cast<double>(count) / 2,
                       order_place.lower.y + 0.3};
-    drawing.add({"l caption", Role::guide, Text{below, caption}});
+    drawing.add({"l caption", Role::guide, aside(below, caption)});
   }
 
  private:
+  /// The cards of a drawing among many are too small for it.
+  static Text aside(dvec2 at, std::string text) { return {.at = at, .text = std::move(text), .aside = true}; }
   struct Sheet {
     Ring2 ring;  ///< on the screen
     Role role;
@@ -299,8 +301,8 @@ class OrderStrip {
     const std::string id = fmt::format("l {:03} ", number);
     drawing.add({id + "card", Role::guide, Path{card.corners(), true}});
     drawing.add({id + "name", entry.role,
-                 Text{{middle, order_place.upper.y - 0.4}, fmt::format("{}. {}", number, entry.name)}});
-    drawing.add({id + "value", entry.role, Text{{middle, order_place.lower.y + 1.6}, brief(entry.key)}});
+                 aside({middle, order_place.upper.y - 0.4}, fmt::format("{}. {}", number, entry.name))});
+    drawing.add({id + "value", entry.role, aside({middle, order_place.lower.y + 1.6}, brief(entry.key))});
     const Panel panel({card.lower + 0.25, card.upper - 0.25}, extent_);
     const std::vector<Ring2> rings = mapped(sheets, [&](const Sheet& sheet) { return panel.at(sheet.ring); });
     for (std::size_t i = 0; i < rings.size(); ++i) {
