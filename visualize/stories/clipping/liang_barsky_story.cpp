@@ -122,7 +122,8 @@ class Story {
     scale_.add_to(view, words_.symbol("t"));
     add_line(view, left_over);
     for (const Crossed& c : crossed_) {
-      const bool now = &c == &crossed_.back() && left_over == Role::current;
+      // As what is left is shown; where nothing is, as what it does
+      const bool now = &c == &crossed_.back() && left_over == Role::current && enter_ <= leave_;
       if (c.crosses()) add_crossing(view, c, now ? Role::current : c.enters() ? Role::candidate : Role::past);
     }
     if (!crossed_.empty() && left_over == Role::current) ground_.add_border(view, crossed_.back().border);
