@@ -11,7 +11,7 @@
 namespace gradus::illumination {
 
 /// In units; below the vectors stand balls.
-inline constexpr int place_paper_width = 33, place_paper_height = 35;
+inline constexpr int place_paper_width = 32, place_paper_height = 35;
 
 /// Part of the colour as the bar has it.
 struct Piece {
@@ -163,8 +163,8 @@ class PlaceDrawing {
       // Where it is half as long as its middle, on the side where V isn't
       const double half = std::min(30.0, degrees_of(gradus::pow(0.5, 1 / std::max(power, 1.0))));
       const double side = -theta + (wrapped(seen + theta) > 0 ? -half : half);
-      view.add(
-          {"b lobe name", role, Label{tip(side, size(side)), "(" + product + ")ⁿ = " + short_real(part)}});
+      view.add({"b lobe name", role,
+                Label{tip(side, size(side) + 0.06), "(" + product + ")ⁿ = " + short_real(part)}});
     }
     arrow(view, "r mirror", role, axis, reflects ? "R" : "H");
     add_viewer(view, seen);
@@ -197,11 +197,11 @@ class PlaceDrawing {
     }
     if (right) grey = grey && right->x == right->y && right->y == right->z;
     if (!(sum.x == sum.x)) grey = true;
-    const double x = 28.5, wide = grey ? 3.2 : 1.1;
+    const double x = 28.1, wide = grey ? 3.2 : 1, pitch = 1.15;
     for (int c = 0; c < (grey ? 1 : 3); ++c) {
-      add_bar(view, pieces, c, x + 1.4 * c, wide, grey);
+      add_bar(view, pieces, c, x + pitch * c, wide, grey);
       if (!right) continue;
-      const Extent bar{{x + 1.4 * c - 0.15, height(0)}, {x + 1.4 * c + wide + 0.15, height((*right)[c])}};
+      const Extent bar{{x + pitch * c - 0.15, height(0)}, {x + pitch * c + wide + 0.15, height((*right)[c])}};
       view.add({fmt::format("w right {}", c), Role::accepted, Path{bar.corners(), true, true}});
     }
     const double step = tick_distance(brightest_, 3);  // between the numbers there is room for R·V
