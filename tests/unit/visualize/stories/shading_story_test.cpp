@@ -44,5 +44,20 @@ TEST(ShadingStory, TheLineGoesThroughTheBrightestPixelOfThePicture) {
   }
 }
 
+TEST(ShadingStory, ASpotPointsToItsAim) {
+  // All lies in the plane of y and z, and the lamp at y = 3 is drawn at the left
+  for (const double aim : {9.0, 4.0, 2.0, 1.0, -4.0}) {
+    SCOPED_TRACE(aim);
+    const Trace trace = test::trace_of(
+        "illumination", {{"lights", "0,3,4"}, {"kind", "spot"}, {"aim", "0," + std::to_string(aim) + ",0"}});
+    Playhead playhead(trace);
+    const auto& marks = playhead.at(trace.steps.size() - 2).marks();  // the lamp's
+    const auto& axis = std::get<Stroke>(mark_in(marks, "c axis").shape);
+    const dvec2 drawn = glm::normalize(axis.b - axis.a), meant = glm::normalize(dvec2{3 - aim, -4});
+    EXPECT_NEAR(drawn.x, meant.x, 1e-9);
+    EXPECT_NEAR(drawn.y, meant.y, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace gradus

@@ -275,8 +275,11 @@ class PlaceDrawing {
   void add_cone(View& view, const LampTaken<double>& t, const Light& light) const {
     const double l = angle(t.arrival.to_light);
     const dvec2 lamp = lamp_tip(l);
-    const double off = off_axis(light, t.arrival), outer = degrees_of(light.outer_cosine);
-    const auto way = [&](double turned) { return lamp + length_ * leaning(l + 180 + turned); };
+    // To the side of the place on which it points
+    const bool left = glm::dot(unit_vector(light.direction) + t.arrival.to_light, left_) > 0;
+    const double off = (left ? -1 : 1) * off_axis(light, t.arrival), outer = degrees_of(light.outer_cosine);
+    const double length = (left ? 0.45 : 1) * length_;  // there the paper ends sooner
+    const auto way = [&](double turned) { return lamp + length * leaning(l + 180 + turned); };
     const Role role = t.arrival.cone > 0 ? Role::boundary : Role::rejected;
     std::vector<dvec2> ring{lamp};
     for (int k = -12; k <= 12; ++k) ring.push_back(way(off + outer * k / 12));
