@@ -17,6 +17,7 @@ PictureShelf::PictureShelf(Narrator& narrator, Look look) : narrator_(narrator),
   const ivec2 upper{across * (width() + look_.gap) - look_.gap + 1,
                     down * (look_.heading + height()) + (look_.y_up ? 0 : 1)};
   narrator.whole_grid({{0, 0}, upper}, look_.y_up);
+  narrator.trace().grid.lines = 0.5;  // several pictures may be as fine as on a screen
   view_.plane = true;
   for (std::size_t k = 0; k < look_.names.size(); ++k) add_name(k);
 }

@@ -171,6 +171,7 @@ inline void tell_all_patterns(Narrator& narrator) {
   PatternsStory story(narrator.words(), edge_of(given), count);
   PatternsStory::pixel_of(0).let_drag(narrator, edge_of(given));
   narrator.whole_grid(PatternsStory::cells(), true);
+  narrator.trace().grid.lines = 0.5;  // as fine as on a screen
   narrator.trace().subtitle = narrator.words().count(
       "subtitle", count, {{"seed", given.integer("seed")}, {"pixel", given.cell("pixel")}});
   narrator.columns({{"pattern", false}, {"mean"}, {"rmse"}});

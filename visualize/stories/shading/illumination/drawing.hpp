@@ -197,7 +197,7 @@ class PlaceDrawing {
     }
     if (right) grey = grey && right->x == right->y && right->y == right->z;
     if (!(sum.x == sum.x)) grey = true;
-    const double x = 28.1, wide = grey ? 3.2 : 1, pitch = 1.15;
+    const double x = 27.4, wide = grey ? 3.2 : 1, pitch = 1.15;
     for (int c = 0; c < (grey ? 1 : 3); ++c) {
       add_bar(view, pieces, c, x + pitch * c, wide, grey);
       if (!right) continue;

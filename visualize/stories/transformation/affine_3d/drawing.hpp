@@ -151,6 +151,8 @@ inline void add_arrow(View& view, const Panel& panel, const std::string& id, Rol
 inline double reach_of(dvec3 box) { return 1.2 * std::max({box.x, box.y, box.z}); }
 
 constexpr int paper_width = 37, paper_height = 28;
+/// Of a slide: in smaller units the rows of a matrix of space would lie on each other.
+constexpr double least_unit_of_four_rows = 14.4;
 /// Where space is drawn: alone, beside the matrix, or twice, each below its own.
 constexpr Extent whole_place{{0.8, 2.2}, {35.2, 24.4}}, single_place{{0.4, 0.8}, {18, 24.2}},
     left_place{{0.3, 0}, {17.7, 18.8}}, right_place{{18.3, 0}, {35.7, 18.8}};
