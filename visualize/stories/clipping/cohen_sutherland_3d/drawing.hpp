@@ -168,7 +168,7 @@ inline View view_of(const Words& words, const Subject<3>& subject, const State<3
   View view;
   const std::vector<dvec3> corners = corners_of(subject.region);
   const auto [space, directions] = arrangement_of(subject);
-  const auto at = [&space = space](dvec3 p) { return space.at(p); };
+  const auto at = [&seen = space](dvec3 p) { return seen.at(p); };
   SpaceDrawing drawing = space.drawing();
   add_glass(drawing, space, corners, faces_of_box());
   if (const auto cut = state.cut()) add_face(view, space, box_face(subject.region, *cut));
