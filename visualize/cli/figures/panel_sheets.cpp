@@ -64,8 +64,14 @@ std::string numbered(const std::string& phase, const std::vector<std::string>& p
 
 /// Whether a column is named by a word and not by a symbol as formulas have it.
 bool is_word(std::string_view name) {
-  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  return std::ranges::search_n(name, 3, true, {}, is_letter).begin() != name.end();
+  // In UTF-8 letters like ö begin with this byte, Greek ones and signs with others
+  constexpr char accented = '\xc3';
+  std::string leading(name);
+  std::erase_if(leading, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; });
+  const auto is_letter = [](char c) {
+    return c == accented || std::isalpha(static_cast<unsigned char>(c)) != 0;
+  };
+  return !std::ranges::search_n(leading, 3, true, {}, is_letter).empty();
 }
 
 /// What is new in the step's row: "t = 0.5", "corners: 4".

@@ -428,6 +428,15 @@ TEST(Panels, AreCalledByWhatTellsThemApart) {
   EXPECT_THAT(text_in(apart, "panel 1 note"), testing::StartsWith("step 1"));
 }
 
+TEST(Panels, NotesSayWordsAsWords) {
+  const auto note = [](const char* topic, const char* panels, const char* language) {
+    return text_in(sheet_for(spec_of(topic, {{"panels", panels}, {"language", language}})), "panel 1 note");
+  };
+  EXPECT_THAT(note("area_sampling", "phases", "en"), testing::StartsWith("corners: 4"));
+  EXPECT_THAT(note("area_sampling", "phases", "de"), testing::StartsWith("Ecken: 4"));
+  EXPECT_THAT(note("perspective", "phases", "en"), HasSubstr("d/z = "));
+}
+
 TEST(Panels, OfOnePhaseAreItsStepsWithNotes) {
   const Sheet faces = sheet_for(spec_of("z_buffer", {{"panels", "phases"}}));
   EXPECT_EQ(text_in(faces, "panel 1 heading"), "A drawn");
