@@ -12,16 +12,12 @@
 #include <vector>
 
 #include "request/inputs.hpp"
-#include "stories/topic.hpp"
 
 namespace gradus::check {
 
 enum class CaseKind : std::uint8_t { easy, typical, nasty, ties };
 inline constexpr std::array case_kinds{CaseKind::easy, CaseKind::typical, CaseKind::nasty, CaseKind::ties};
 std::string_view name_of(CaseKind kind);
-
-/// Texts by the names of parameters, and "method".
-using GivenTexts = std::map<std::string, std::string>;
 
 struct Case {
   std::string id;  ///< "ties-2"

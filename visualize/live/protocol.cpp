@@ -63,8 +63,8 @@ void require_value(const TopicEntry& topic, const JsonMember& argument) {
   refuse_flag(hyphened(argument.key), is_method ? "a method's name" : expected_value(*parameter), "none");
 }
 
-std::map<std::string, std::string> arguments_in(const JsonNode& request, const TopicEntry& topic) {
-  std::map<std::string, std::string> given;
+GivenTexts arguments_in(const JsonNode& request, const TopicEntry& topic) {
+  GivenTexts given;
   const JsonMember* const arguments = request.member("arguments");
   if (!arguments) return given;
   if (arguments->value.kind != Kind::object) refuse_member(*arguments, "an object");

@@ -24,7 +24,7 @@ std::string flag_of(const Parameter& parameter) { return "--" + hyphened(paramet
 
 class InputReader {
  public:
-  InputReader(const TopicEntry& topic, const std::map<std::string, std::string>& given, Files& files)
+  InputReader(const TopicEntry& topic, const GivenTexts& given, Files& files)
       : topic_(topic), given_(given), files_(files) {}
 
   Inputs read() {
@@ -178,7 +178,7 @@ class InputReader {
   }
 
   const TopicEntry& topic_;
-  const std::map<std::string, std::string>& given_;
+  const GivenTexts& given_;
   Files& files_;
   Inputs inputs_;
 };
@@ -232,7 +232,7 @@ std::vector<std::string> first_notes(const std::vector<std::string>& notes) {
   return first;
 }
 
-Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given, Files& files) {
+Inputs read_inputs(const TopicEntry& topic, const GivenTexts& given, Files& files) {
   return InputReader(topic, given, files).read();
 }
 

@@ -45,6 +45,9 @@ class Files {
 /// The name that an argument says: "@maze.txt" is another way to say that a file is meant.
 std::string file_name_in(const std::string& text);
 
+/// What was written, by the names of parameters, and "method".
+using GivenTexts = std::map<std::string, std::string>;
+
 struct Inputs {
   Arguments arguments;
   std::vector<std::string> files;    ///< paths that were read
@@ -62,7 +65,7 @@ std::string expected_value(const Parameter& parameter);
 
 /// The arguments of a run. given: texts by the names of parameters, and "method". Throws UsageError,
 /// ArgumentError or InputError: wrong spelling, a file that is not there or not of its kind.
-Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given, Files& files);
+Inputs read_inputs(const TopicEntry& topic, const GivenTexts& given, Files& files);
 
 /// The first few notes on a model, and how many more there are.
 std::vector<std::string> first_notes(const std::vector<std::string>& notes);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "request/inputs.hpp"
 #include "request/written_json.hpp"
 
 namespace gradus {

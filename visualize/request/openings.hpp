@@ -1,14 +1,9 @@
 #pragma once
 // What a run starts with where no inputs are given.
 
-#include <map>
-#include <string>
-
-#include "stories/topic.hpp"
+#include "request/inputs.hpp"
 
 namespace gradus {
-
-using GivenTexts = std::map<std::string, std::string>;
 
 /// What is given, by the names of parameters and "method". Without any input, where the run's method or the
 /// one beside it is faulty and the topic's defaults don't show that: with the input that its exhibit opens

@@ -67,8 +67,7 @@ FoundFile as_named(const std::string& name, const std::string&) {
   return example.empty() ? name : example;
 }
 
-Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given,
-                   const FindFile& find) {
+Inputs read_inputs(const TopicEntry& topic, const GivenTexts& given, const FindFile& find) {
   FoundFiles files(find);
   return gradus::read_inputs(topic, given, files);
 }

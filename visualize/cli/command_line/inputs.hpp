@@ -28,8 +28,7 @@ FoundFile as_named(const std::string& name, const std::string& flag);
 
 /// The arguments with files from the disk, or from standard input for "-". Throws UsageError, ArgumentError
 /// or InputError: wrong spelling, unreadable file, no PNG.
-Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given,
-                   const FindFile& find = as_named);
+Inputs read_inputs(const TopicEntry& topic, const GivenTexts& given, const FindFile& find = as_named);
 
 /// "gradus figure <topic>" and every argument, but for the default method and what a notation may have
 /// otherwise.

@@ -175,7 +175,7 @@ int cases(const Request& request) {
   const TopicEntry& topic = *request.topic;
   const auto seed = static_cast<std::uint64_t>(whole_flag(request, "random-seed", 1, 0, INT64_MAX));
   const std::int64_t count = whole_flag(request, "count", 4, 1, check::most_cases);
-  const auto read = [&](const check::GivenTexts& given) { return read_inputs(topic, given).arguments; };
+  const auto read = [&](const GivenTexts& given) { return read_inputs(topic, given).arguments; };
   read(request.arguments);  // what is fixed has to be right by itself
   check::Cases all(topic, request.arguments, seed, read);
   std::vector<ToldCase> told;

@@ -16,10 +16,8 @@
 namespace gradus::cli {
 namespace {
 
-using GivenByName = std::map<std::string, std::string>;
-
 /// The flags, and the method that the file names where they name none.
-GivenByName with_method(GivenByName given, const check::OwnAnswers& answers) {
+GivenTexts with_method(GivenTexts given, const check::OwnAnswers& answers) {
   if (!answers.method.empty()) given.try_emplace("method", answers.method);
   return given;
 }
@@ -39,16 +37,16 @@ auto at_line(const check::OwnAnswers& answers, const check::OwnAnswer& answer, c
 
 }  // namespace
 
-AskedRuns::AskedRuns(const TopicEntry& topic, check::OwnAnswers answers, GivenByName given)
+AskedRuns::AskedRuns(const TopicEntry& topic, check::OwnAnswers answers, GivenTexts given)
     : topic_(topic),
       answers_(std::move(answers)),
       given_(with_method(std::move(given), answers_)),
       cases_(topic, given_, answers_.seed,
-             [&topic](const GivenByName& texts) { return read_inputs(topic, texts).arguments; }) {}
+             [&topic](const GivenTexts& texts) { return read_inputs(topic, texts).arguments; }) {}
 
 Arguments AskedRuns::arguments_of(const check::OwnAnswer& answer) {
   return at_line(answers_, answer, [&] {
-    GivenByName texts = given_;
+    GivenTexts texts = given_;
     if (answer.is_case && answer.arguments.empty()) {
       read_inputs(topic_, texts);  // the method there is, before cases are drawn for it
       const auto found = cases_.find(answer.id);
@@ -86,7 +84,7 @@ Trace AskedRuns::run(const check::OwnAnswer& answer, const Arguments& arguments,
 
 check::Task AskedRuns::task(const Arguments& arguments, const Trace& ours) const {
   const auto other_method = [this, &arguments](const std::string& method) {
-    GivenByName texts;
+    GivenTexts texts;
     for (const Arguments::Entry& entry : arguments.entries()) {
       const bool is_file = !entry.hash.empty();
       const auto known = std::ranges::find(topic_.parameters, entry.name, &Parameter::name);
