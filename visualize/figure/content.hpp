@@ -41,8 +41,5 @@ Content content_of(const Trace& trace);
 
 /// Entries of a legend, the i-th as the i-th bit.
 using LegendEntries = std::uint64_t;
-/// Which entries the recorded steps show together, each set once. None: it is not known, so all may be, where
-/// steps before were left out or there are more than bits.
-std::vector<LegendEntries> legends_of(const Trace& trace);
 
 }  // namespace gradus

@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "figure/legend.hpp"
 #include "figure/text/metrics.hpp"
 #include "figure/text/typesetting.hpp"
 
