@@ -334,7 +334,7 @@ Body body_of(const Page& page, Wants wants, const Look& look, const Stage& stage
 /// Whether lines of text on the paper would lie on each other.
 bool is_crowded(const Stage& stage, const Body& body) {
   const std::optional<Fit> shown = fit(stage, body.drawing.width, body.drawing.height);
-  return stage.lines > 0 && (!shown || shown->cell < stage.lines);
+  return !shown || shown->cell < stage.lines;
 }
 
 }  // namespace
@@ -345,7 +345,10 @@ Places places_of(const Trace& trace, const Look& look, const Stage& stage) {
   const Wants wants = wants_of(trace, look, page, listing_rows);
   Body body = body_of(page, wants, look, stage);
   Places at = page.at;
-  if (stage.content && is_crowded(stage, body)) {
+  // Without what is aside rather than with texts that lie on each other, or with lines of code that are
+  // broken
+  const bool breaks = !may_give_way(look) && breaks_a_line(wants, body);
+  if (stage.content && stage.lines > 0 && (is_crowded(stage, body) || breaks)) {
     Content content;
     body = body_of(page, wants, look, bare(stage, content));
     at.bare = true;

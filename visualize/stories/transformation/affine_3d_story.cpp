@@ -262,8 +262,7 @@ void introduce_turn(Narrator& narrator, const Subject& subject) {
 void tell_product(Narrator& narrator, const Subject& subject, bool rows) {
   introduce(narrator);
   narrator.shows_matrices();
-  // Where a fault takes a line of the slide, there is no room for matrices
-  narrator.trace().grid.lines = least_unit_of_four_rows + (rows ? 1.1 : 0);
+  narrator.trace().grid.lines = least_unit_of_four_rows;
   narrator.trace().subtitle = factors_words(narrator.words().wording(), subject.texts);
   ProductStory story(narrator.words(), subject, rows);
   require_scale(story.panel(), narrator.arguments(), {"box", "factors"});

@@ -26,8 +26,9 @@ inline bool any_crossing(const std::vector<dvec2>& polygon, const Circle<double>
 
 class CrossingTable {
  public:
-  static constexpr double width = 9;       ///< units of the paper
-  static constexpr double least_unit = 8;  ///< of a slide: in smaller ones its texts would lie on each other
+  static constexpr double width = 9;  ///< units of the paper
+  static constexpr double least_unit =
+      9.6;  ///< of a slide: in smaller ones its texts would lie on each other
 
   /// A crossing that an edge has found; its name. Names stay when the rows are sorted.
   std::string add(std::size_t edge, dvec2 at, bool leaves, const Circle<double>& circle) {
