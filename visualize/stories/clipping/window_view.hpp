@@ -41,8 +41,10 @@ inline Extent world_of(const Line& line, const Rectangle& window, const Extent& 
   const auto seen = cohen_sutherland_2d::correctly_rounded(line, Rectangle{world.lower, world.upper});
   if (!seen || length_between(seen->a, seen->b) < 0.3 * room) {
     const Rectangle beside{window.lower - 0.8 * room, window.upper + 0.8 * room};
-    const auto part = cohen_sutherland_2d::correctly_rounded(line, beside);
-    if (part) world.add(part->a), world.add(part->b);
+    if (const auto part = cohen_sutherland_2d::correctly_rounded(line, beside)) {
+      world.add(part->a);
+      world.add(part->b);
+    }
   }
   // The rim takes room from what it is measured by
   for (int i = 0; i < 3 && rim.x > 0; ++i) {
