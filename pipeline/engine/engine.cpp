@@ -1,10 +1,5 @@
 #include "engine/engine.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -15,6 +10,7 @@
 
 #include "antialiasing/adaptive/sample_places.hpp"
 #include "engine/account.hpp"
+#include "engine/cores.hpp"
 #include "engine/geometry.hpp"
 #include "engine/light_bytes.hpp"
 #include "engine/pixel_colours.hpp"
@@ -175,21 +171,12 @@ void check(const Scene& scene, int threads) {
   check_samples(scene);
 }
 
-template <class Work>
-void on_threads(int threads, const Work& work) {
-  const int workers = threads == 0 ? tbb::this_task_arena::max_concurrency() : threads;
-  // Also more than there are cores, where that is asked for
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(workers));
-  tbb::task_arena(workers).execute(work);
-}
-
 /// Stage 8 row by row, on the threads of the arena that it is called in.
 Picture output_on_threads(const LightPicture& light, const LinearRgb& background) {
   static const LightBytes bytes;
   Picture picture{Image(light.width(), light.height()), 0};
   std::atomic<std::int64_t> covered = 0;
-  tbb::parallel_for(0, light.height(), [&](int y) {
+  for_each_of(light.height(), [&](int y) {
     std::int64_t shown = 0;
     for (int x = 0; x < light.width(); ++x) {
       const PixelLight& pixel = light[ivec2{x, y}];
@@ -257,7 +244,7 @@ LightPicture light_of(const Scene& scene, const Buffers& buffers, const Plan& pl
     const TileWork work{scene, buffers, plan, frame, pattern_of(scene.antialiasing, scene.samples)};
     const Touch touch = centres ? Touch::centres : Touch::neighbours;
     draw_picture(scene, buffers, plan, touch, frame, watch, [&](const TileGrid& grid, Done& done) {
-      tbb::parallel_for(0, grid.count(), [&](int tile) {
+      for_each_of(grid.count(), [&](int tile) {
         (centres ? draw_centres : draw_antialiased)(work, tile, grid.tile(tile), picture, done);
         done.tile();
       });
@@ -288,8 +275,8 @@ void draw_into(Picture& picture, const Scene& scene, const Buffers& buffers, con
   on_threads(threads, [&] {
     draw_picture(scene, buffers, plan, touch, frame, watch, [&](const TileGrid& grid, Done& done) {
       const FrameShading shading(scene, buffers, plan, frame);
-      tbb::enumerable_thread_specific<Artist> artists([&] { return Artist(shading); });
-      tbb::parallel_for(0, grid.count(), [&](int tile) {
+      OfEachThread<Artist> artists([&] { return Artist(shading); });
+      for_each_of(grid.count(), [&](int tile) {
         covered += artists.local().draw(grid, tile, places, picture.image);
         done.tile();
       });

@@ -1,12 +1,10 @@
 #include "engine/geometry.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "engine/cores.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "stages/1_input.hpp"
 #include "stages/4_back_faces.hpp"
@@ -43,8 +41,9 @@ void place_part(const Scene& scene, std::int64_t begin, std::int64_t end, Frame&
 }
 
 void place_all_vertices(const Scene& scene, Frame& frame) {
-  const tbb::blocked_range<std::int64_t> all(0, std::ssize(frame.grid), 4096);
-  tbb::parallel_for(all, [&](const auto& part) { place_part(scene, part.begin(), part.end(), frame); });
+  in_parts(frame.grid.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    place_part(scene, static_cast<std::int64_t>(begin), static_cast<std::int64_t>(end), frame);
+  });
 }
 
 /// A vertex in the world and in clip space.
@@ -303,9 +302,10 @@ void make_frame(const Scene& scene, const Buffers& buffers, const Plan& plan, To
   place_planes(scene, frame);
 
   frame.batches.resize(static_cast<std::size_t>((pieces + batch_pieces - 1) / batch_pieces));
-  tbb::parallel_for(std::int64_t{0}, std::ssize(frame.batches), [&](std::int64_t i) {
-    const std::int64_t begin = i * batch_pieces, end = std::min(pieces, begin + batch_pieces);
-    make_batch(scene, frame, plan.window, touch, begin, end, frame.batches[static_cast<std::size_t>(i)]);
+  for_each_of(frame.batches.size(), [&](std::size_t i) {
+    const std::int64_t begin = static_cast<std::int64_t>(i) * batch_pieces;
+    const std::int64_t end = std::min(pieces, begin + batch_pieces);
+    make_batch(scene, frame, plan.window, touch, begin, end, frame.batches[i]);
   });
 }
 

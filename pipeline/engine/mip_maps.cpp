@@ -1,12 +1,10 @@
 #include "engine/mip_maps.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <array>
 #include <cstdint>
 
 #include "core/colour.hpp"
+#include "engine/cores.hpp"
 
 namespace gradus::pipeline::engine {
 namespace {
@@ -20,9 +18,8 @@ constexpr int texels_at_once = 1 << 14;
 template <class Write>
 void write_rows(ivec2 size, LinearRgb* level, const Write& write) {
   const auto columns = static_cast<std::size_t>(size.x), grain = texels_at_once / columns + 1;
-  const tbb::blocked_range<std::size_t> rows(0, static_cast<std::size_t>(size.y), grain);
-  tbb::parallel_for(rows, [&](const tbb::blocked_range<std::size_t>& some) {
-    for (std::size_t y = some.begin(); y < some.end(); ++y) write(y, level + y * columns);
+  in_parts(static_cast<std::size_t>(size.y), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y) write(y, level + y * columns);
   });
 }
 

@@ -1,6 +1,6 @@
 #include "engine/tiles.hpp"
 
-#include <tbb/parallel_for.h>
+#include "engine/cores.hpp"
 
 namespace gradus::pipeline::engine {
 namespace {
@@ -42,8 +42,7 @@ void bin_batch(const TileGrid& grid, Touch touch, Batch& batch) {
 }  // namespace
 
 void bin(Frame& frame, const TileGrid& grid, Touch touch) {
-  tbb::parallel_for(std::size_t{0}, frame.batches.size(),
-                    [&](std::size_t i) { bin_batch(grid, touch, frame.batches[i]); });
+  for_each_of(frame.batches.size(), [&](std::size_t i) { bin_batch(grid, touch, frame.batches[i]); });
 }
 
 }  // namespace gradus::pipeline::engine
