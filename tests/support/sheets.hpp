@@ -18,6 +18,7 @@
 namespace gradus::test {
 
 /// All texts but the rims, which lie below their own.
+std::vector<const TextShape*> texts_of(Sheet&& sheet) = delete;  // they would point into what is gone
 inline std::vector<const TextShape*> texts_of(const Sheet& sheet) {
   std::vector<const TextShape*> texts;
   for (const Shape& shape : sheet.shapes) {

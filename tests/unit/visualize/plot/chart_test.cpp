@@ -221,7 +221,8 @@ TEST(Chart, NamesStandOnNoMarker) {
 TEST(Chart, IsReadInEveryTheme) {
   for (const Theme& theme : themes()) {
     for (const Chart& chart : charts()) {
-      for (const TextShape* text : test::texts_of(sheet_of(chart))) {
+      const Sheet sheet = sheet_of(chart);
+      for (const TextShape* text : test::texts_of(sheet)) {
         EXPECT_GE(contrast(color_of(text->paint, theme), theme[Tone::paper]), 4.5)
             << theme.name << text->text;
       }
