@@ -9,8 +9,7 @@
 #include "core/contract.hpp"
 #include "core/mesh.hpp"
 #include "core/observe.hpp"
-#include "modeling/ear_clipping/ear_clipping.hpp"
-#include "modeling/ear_clipping/many_corners.hpp"
+#include "scene/models/triangles.hpp"
 #include "scene/scene.hpp"
 #include "scene/shared_planes.hpp"
 #include "stages/points.hpp"
@@ -45,24 +44,7 @@ inline PieceCorner corner_of(const Mesh& mesh, const MeshFace& face, int i, int 
           corner.texture < 0 ? dvec2{0, 0} : mesh.textures[static_cast<std::size_t>(corner.texture)]};
 }
 
-/// The triangles of a face, by the places of its corners: itself, or the ears of a larger one.
-template <std::invocable<const ear_clipping::Triangle&> Add>
-void triangulate(const Mesh& mesh, const MeshFace& face, const Add& add) {
-  if (face.count == 3) {
-    add({0, 1, 2});
-    return;
-  }
-  std::vector<dvec3> polygon;
-  for (const Corner& corner : corners_of(mesh, face)) polygon.push_back(position_of(mesh, corner));
-  // The same triangles; the walk round the ring is quadratic, the tree pays from about here on
-  constexpr std::size_t many = 100;
-  if (polygon.size() < many)
-    ear_clipping::triangulate(polygon, add);
-  else
-    ear_clipping::triangulate_many(polygon, add);
-}
-
-/// The same as pieces.
+/// The triangles of a face, as pieces.
 inline std::vector<Piece> cut(const Mesh& mesh, PieceId id, int first) {
   const MeshFace& face = mesh.faces[static_cast<std::size_t>(id.face)];
   std::vector<Piece> pieces;
