@@ -17,6 +17,18 @@ int add_face(Mesh& mesh, std::span<const Corner> corners, int material, int file
   return static_cast<int>(mesh.faces.size()) - 1;
 }
 
+Mesh mesh_of(std::span<const dvec3> positions, const Faces& faces) {
+  expect_faces(faces, positions.size());
+  Mesh mesh;
+  mesh.positions.assign(positions.begin(), positions.end());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::vector<Corner> corners;
+    for (const std::int32_t vertex : faces[f]) corners.push_back({vertex});
+    add_face(mesh, corners);
+  }
+  return mesh;
+}
+
 Bounds bounds_of(const Mesh& mesh) {
   Bounds bounds;
   for (const Corner& corner : mesh.corners) bounds.add(position_of(mesh, corner));

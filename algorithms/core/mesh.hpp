@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/faces.hpp"
 #include "core/geometry.hpp"
 #include "core/surface.hpp"
 
@@ -55,6 +56,9 @@ inline dvec3 position_of(const Mesh& mesh, const Corner& corner) {
 
 /// Adds a face of these corners and returns its id. Domain: at least 3 corners (refused otherwise).
 int add_face(Mesh& mesh, std::span<const Corner> corners, int material = 0, int file = -1, int line = 0);
+
+/// The mesh of these faces. Domain: as expect_faces has it (refused otherwise).
+Mesh mesh_of(std::span<const dvec3> positions, const Faces& faces);
 
 /// The smallest box that holds every position some face uses; empty when there is no face.
 Bounds bounds_of(const Mesh& mesh);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,8 @@
 #include "figure/text/wording.hpp"
 
 namespace gradus {
+
+struct Mesh;
 
 /// The version of the trace's JSON form; raised when a reader of the old one would go wrong.
 inline constexpr int trace_schema = 1;
@@ -154,7 +157,8 @@ struct Trace {
   bool whole() const;                  ///< whether every step of the run is in `steps`
 
   std::vector<Field> result;
-  std::vector<std::string> counts{};  ///< what runs are compared by: "cuts: 4", of the whole run
+  std::shared_ptr<const Mesh> mesh{};  ///< the surface that the run has made, for files of models
+  std::vector<std::string> counts{};   ///< what runs are compared by: "cuts: 4", of the whole run
   std::vector<ivec2> pixels;  ///< rasters: the pixels that were set, in order (as many as were recorded)
 
   /// The step whose figure tells most: what a figure shows where no step is named.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/mesh.hpp"
 #include "figure/which_steps.hpp"
 #include "stories/handles.hpp"
 #include "stories/listing.hpp"
@@ -344,6 +345,10 @@ void Narrator::describe(TraceStep& step, std::string_view type, Event event) {
   step.fields = std::move(event.facts);
   step.tells = board_.tells_;
   if (key_by_type_ && step.key.empty()) step.key = type;
+}
+
+void Narrator::result(std::span<const dvec3> points, const Faces& faces) {
+  trace().mesh = std::make_shared<const Mesh>(mesh_of(points, faces));
 }
 
 Trace Narrator::finish() && {

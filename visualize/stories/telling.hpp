@@ -17,12 +17,14 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
+#include "core/faces.hpp"
 #include "figure/recording.hpp"
 #include "stories/paper.hpp"
 #include "stories/topic.hpp"
@@ -304,6 +306,8 @@ class Narrator {
   /// Below them those of another function of the same file.
   void list_below(std::string_view function);
   void result(std::vector<Field> fields) { result_ = std::move(fields); }
+  /// The surface that the run has made: files of models take it.
+  void result(std::span<const dvec3> points, const Faces& faces);
   /// The step whose figure tells most, if none of them says so itself. Without it: see telling_step.
   void telling(StepNumber number) { telling_ = number; }
   void skip_to(std::int64_t number) { writer_.skip_to(number); }

@@ -38,7 +38,7 @@ const Flag trace{
 const Flag force{"force", 'f', "", "replaces a file also when gradus did not make it"};
 const Flag format{
     "format", 0, "NAME",
-    "svg, png, pdf, pptx, html, csv, md, tex, json, txt, gif, mp4 or webp; default: by the file's ending"};
+    "svg, png, pdf, pptx, html, csv, md, tex, json, txt, gif, mp4, webp, obj, ply or stl; default: by the file's ending"};
 
 /// How texts are worded.
 const std::vector<Flag> words{

@@ -47,6 +47,7 @@ void refuse_binary_in_terminal(Format format) {
 
 bool drawn_or_played(Format format) { return is_drawn(format) || format == Format::html; }
 bool drawn_at_once(Format format) { return is_drawn(format) && !is_film(format); }
+bool not_a_model(Format format) { return !is_model(format); }
 bool made_of_pixels(Format format) { return facts_of(format).pixels; }
 
 struct FlagUse {
@@ -56,6 +57,7 @@ struct FlagUse {
 };
 constexpr const char* any_picture = "svg, png, pdf, pptx or a film to draw";
 constexpr const char* any_figure = "svg, png, pdf, pptx, html or a film";
+constexpr const char* any_step = "a format that shows steps";
 constexpr const char* any_film = "gif, mp4 or webp";
 constexpr FlagUse uses[] = {
     {"panels", drawn_at_once, "svg, png, pdf or pptx"},
@@ -82,6 +84,8 @@ constexpr FlagUse uses[] = {
     {"hold-last", is_film, any_film},
     {"transition", is_film, any_film},
     {"fps", [](Format format) { return format == Format::mp4; }, "mp4"},
+    {"step", not_a_model, any_step},
+    {"steps", not_a_model, any_step},
     {"loop", [](Format format) { return format == Format::gif || format == Format::webp; }, "gif or webp"},
 };
 
@@ -189,6 +193,7 @@ std::string film(const FigureSpec& spec, Takes& takes, Format format, bool quiet
 std::string one_file(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
   if (is_film(format)) return film(spec, takes, format, quiet);
   if (is_document(format)) return document(spec, takes, format, quiet);
+  if (is_model(format)) return model_bytes(spec, takes.opening(), format);
   if (!is_drawn(format)) return table_or_player(spec, takes, format, quiet);
   return picture_bytes(spec, takes, shown_step(spec, takes), format);
 }

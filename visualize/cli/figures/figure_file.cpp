@@ -21,6 +21,7 @@
 #include "office/presentation.hpp"
 #include "request/names.hpp"
 #include "request/played_steps.hpp"
+#include "scene/models/model_writers.hpp"
 #include "stories/point_text.hpp"
 #include "text/text_output.hpp"
 #include "web/player.hpp"
@@ -314,6 +315,22 @@ void check_played(const FigureSpec& spec, const Takes& takes) {
 }
 
 }  // namespace
+
+std::string model_bytes(const FigureSpec& spec, const Trace& trace, Format format) {
+  if (!trace.mesh) {
+    throw UsageError(fmt::format("-o: expected a topic whose result is a surface for {}, found {}",
+                                 name_of(format), trace.topic));
+  }
+  const std::string comment = visible(command_of(spec));
+  switch (format) {
+    case Format::obj:
+      return pipeline::obj_of(*trace.mesh, comment);
+    case Format::ply:
+      return pipeline::ply_of(*trace.mesh, comment);
+    default:
+      return pipeline::stl_of(*trace.mesh, comment);
+  }
+}
 
 std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format,
                         const std::string& topic_page, const Takes* takes) {

@@ -55,6 +55,8 @@ void check_film(const FigureSpec& spec, Format format);
 /// pictures_drawn(). Throws UsageError, WorkError.
 std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps, Format format,
                     const OnDrawn& on_drawn = {});
+/// OBJ, PLY, STL: the surface that the run has made. Throws UsageError where it makes none.
+std::string model_bytes(const FigureSpec& spec, const Trace& trace, Format format);
 /// HTML, CSV, JSON, text: made from a trace. It is the opening of the run, or the part that the spec wants.
 /// With `takes` the player shows the run that stands beside it, too.
 std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format,

@@ -10,7 +10,7 @@ namespace gradus::cli {
 namespace {
 
 /// In the order of Format.
-constexpr std::array<FormatFacts, 13> all_formats{{
+constexpr std::array<FormatFacts, 16> all_formats{{
     {"svg", FormatKind::picture, false, "SVG"},
     {"png", FormatKind::picture, true, "PNG"},
     {"pdf", FormatKind::document, false, "PDF, a page per step"},
@@ -24,6 +24,9 @@ constexpr std::array<FormatFacts, 13> all_formats{{
     {"mp4", FormatKind::film, true, "film (MP4)"},
     {"webp", FormatKind::film, true, "film (WebP)"},
     {"pptx", FormatKind::document, false, "PowerPoint, a slide per step"},
+    {"obj", FormatKind::model, false, "model (OBJ)"},
+    {"ply", FormatKind::model, false, "model (PLY)"},
+    {"stl", FormatKind::model, false, "model (STL)"},
 }};
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace gradus::cli {
 
-enum class Format { svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp, pptx };
+enum class Format { svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp, pptx, obj, ply, stl };
 
 /// What a file of a format holds.
 enum class FormatKind {
@@ -17,6 +17,7 @@ enum class FormatKind {
   film,      ///< a frame per step, and what moves between them
   player,    ///< the run, to be played
   text,      ///< the run, as a table or as data
+  model,     ///< the surface that the run has made
 };
 
 struct FormatFacts {
@@ -38,7 +39,8 @@ inline std::string_view name_of(Format format) { return facts_of(format).name; }
 inline bool is_picture(Format format) { return facts_of(format).kind == FormatKind::picture; }
 inline bool is_document(Format format) { return facts_of(format).kind == FormatKind::document; }
 inline bool is_film(Format format) { return facts_of(format).kind == FormatKind::film; }
-/// Steps as pictures: all but a player and texts.
+inline bool is_model(Format format) { return facts_of(format).kind == FormatKind::model; }
+/// Steps as pictures: all but a player, texts and models.
 inline bool is_drawn(Format format) { return is_picture(format) || is_document(format) || is_film(format); }
 
 }  // namespace gradus::cli

@@ -76,7 +76,9 @@ bool is_own_table(std::string_view text) {
   const bool txt = holds(first, " · ") && last.starts_with("gradus figure ");
   const bool sheet = text.starts_with("\\documentclass[") && last.starts_with("% gradus worksheet ");
   const bool quiz = text.starts_with("<?xml ") && holds(text.substr(0, 4096), "\n<?gradus gradus worksheet ");
-  return csv || json || md || tex || txt || sheet || quiz;
+  const bool model = first.starts_with("# gradus figure ") || first.starts_with("solid gradus figure ") ||
+                     (first == "ply" && holds(text.substr(0, 512), "\ncomment gradus figure "));
+  return csv || json || md || tex || txt || sheet || quiz || model;
 }
 
 bool is_own_manual(std::string_view text) { return first_line(text) == manual_mark; }

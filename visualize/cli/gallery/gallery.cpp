@@ -168,6 +168,7 @@ std::vector<OutputFile> output_files(const FigureSpec& figure, Takes& takes, Pic
     const FigureSpec shown = paged(spec, takes);
     return {{stem + ending, film_of(shown, takes, page_steps(shown, takes), format)}};
   }
+  if (is_model(format)) return {{stem + ending, model_bytes(spec, takes.opening(), format)}};
   if (!is_picture(format)) {
     const FigureSpec text = told(spec, takes, format);
     const std::string page = topic_page_path(*spec.topic);
@@ -194,6 +195,8 @@ void rehearse(const LectureFigure& figure) {
     if (is_film(format)) check_film(spec, format);
     if (is_document(format) || is_film(format)) {
       page_steps(paged(spec, takes), takes);
+    } else if (is_model(format)) {
+      model_bytes(spec, takes.opening(), format);
     } else if (!is_picture(format)) {
       shown_part(told(spec, takes, format), takes, format);
     }

@@ -216,9 +216,9 @@ Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, c
   card.thumbnail = stem + "-drawing.svg";
   if (makes(Format::html)) card.player = stem + ".html";
   // The most useful first, whatever the order in the lecture
-  for (const Format format :
-       {Format::pdf, Format::pptx, Format::svg, Format::png, Format::gif, Format::mp4, Format::webp,
-        Format::csv, Format::md, Format::tex, Format::json, Format::txt}) {
+  for (const Format format : {Format::pdf, Format::pptx, Format::svg, Format::png, Format::gif, Format::mp4,
+                              Format::webp, Format::csv, Format::md, Format::tex, Format::json, Format::txt,
+                              Format::obj, Format::ply, Format::stl}) {
     if (makes(format)) add_downloads(card, figure, files, format);
   }
   add_inputs(card, figure);
