@@ -1,0 +1,459 @@
+// The story of subdivision surfaces: what one vertex of a control mesh gets round it and where it goes, with
+// the weights of its neighbours, and the levels of the whole.
+
+#include "modeling/subdivision_surface/subdivision_surface.hpp"
+
+#include "modeling/subdivision_surface/subdivision_surface_notes.hpp"
+#include "stories/modeling/subdivision_surface/levels_story.hpp"
+#include "stories/modeling/subdivision_surface/limit_story.hpp"
+#include "stories/past.hpp"
+
+namespace gradus::subdivision_surface {
+namespace {
+
+enum class Way { catmull_clark, loop, always_four };
+
+template <Way way>
+constexpr auto level_of = [](const Control& mesh, const auto&... a) {
+  if constexpr (way == Way::catmull_clark) return catmull_clark_level(mesh, a...);
+  if constexpr (way == Way::loop) return loop_level(mesh, a...);
+  if constexpr (way == Way::always_four) return always_four(mesh, a...);
+};
+
+/// The levels, from the control mesh on.
+template <Way way>
+std::vector<Control> levels_of(const Subject& subject) {
+  std::vector<Control> levels{subject.mesh};
+  for (int k = 0; k < subject.levels; ++k) levels.push_back(level_of<way>(levels.back()));
+  return levels;
+}
+
+class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePointFound<double>,
+                                VertexPointFound<double>, LevelDone> {
+ public:
+  VertexStory(const Words& words, const Subject& subject, const Links& links, Way way,
+              std::vector<Control> levels, const Weights& weights)
+      : words_(words),
+        subject_(subject),
+        links_(links),
+        way_(way),
+        levels_(std::move(levels)),
+        weights_(weights),
+        pictures_(words, subject),
+        star_(links, subject.vertex, star_centre, star_radius) {
+    for (int k = 1; k <= subject.levels; ++k) backgrounds_.push_back(background(k));
+  }
+
+  dvec2 at(dvec3 p) const { return pictures_.at(places[0], p); }
+  const Control& level(int k) const { return levels_[static_cast<std::size_t>(k)]; }
+
+  bool concerns(const FacePointFound<double>& s) const { return s.level == 1 && is_in(star().faces, s.face); }
+  bool concerns(const EdgePointFound<double>& s) const { return s.level == 1 && is_in(star().edges, s.edge); }
+  bool concerns(const VertexPointFound<double>& s) const {
+    return s.level == 1 && s.vertex == subject_.vertex;
+  }
+  static bool concerns(const LevelDone&) { return true; }
+
+  double tells(const auto& step) const {
+    using Step = std::decay_t<decltype(step)>;
+    return std::same_as<Step, std::conditional_t<false, int, VertexPointFound<double>>> ? 1
+           : std::same_as<Step, LevelDone> && way_ == Way::always_four                  ? 2
+                                                                                        : 0;
+  }
+
+  Event say(const steps::Started&) const {
+    return {.text = star().border() ? "started.border" : "started",
+            .words = {{"vertex", subject_.vertex + 1},
+                      {"place", subject_.of(subject_.mesh)},
+                      {"edges", star().edges.size()},
+                      {"faces", star().faces.size()}},
+            .row = {"S", short_place(subject_.of(subject_.mesh))}};
+  }
+  Event say(const FacePointFound<double>& s) const {
+    const std::string name = fmt::format("F{}", all<FacePointFound<double>>().size());
+    return {
+        .text = "face_point",
+        .facts = fields_of(s.point),
+        .words = {{"name", name}, {"corners", links_.ring(s.face).size()}, {"point", short_place(s.point)}},
+        .row = {name, short_place(s.point)},
+        .key = name,
+        .phase = words_.say("phase.faces")};
+  }
+  Event say(const EdgePointFound<double>& s) const {
+    const std::string name = fmt::format("E{}", all<EdgePointFound<double>>().size());
+    return {.text = s.sharp == 1        ? "edge_point.sharp"
+                    : s.sharp > 0       ? "edge_point.fading"
+                    : way_ == Way::loop ? "edge_point.loop"
+                                        : "edge_point",
+            .facts = fields_of(s.point),
+            .words = {{"name", name},
+                      {"point", short_place(s.point)},
+                      {"middle", short_place(s.middle)},
+                      {"sharp", s.sharp}},
+            .row = {name, short_place(s.point)},
+            .key = name,
+            .phase = words_.say("phase.edges")};
+  }
+  Event say(const VertexPointFound<double>& s) const {
+    const std::size_t kind = s.rule.corner > 0 ? 2 : s.rule.crease > 0 ? 1 : 0;
+    const bool fades = s.rule.smooth < 1 && s.rule.crease < 1 && s.rule.corner < 1;
+    constexpr std::array branches{"smooth", "crease", "corner"};
+    std::vector<std::string> answers;
+    for (const char* branch : branches) answers.push_back(words_.say(fmt::format("rule.{}", branch)));
+    const auto [own, near, far] = weights();
+    return {.text = fades                 ? "vertex_point.fading"
+                    : kind == 2           ? "vertex_point.corner"
+                    : kind == 1           ? "vertex_point.crease"
+                    : near < 0 || far < 0 ? "vertex_point.mixed"
+                    : far > 0             ? "vertex_point"
+                                          : "vertex_point.loop",
+            .facts = fields_of(s.point),
+            .words = {{"from", short_place(s.from)},
+                      {"point", short_place(s.point)},
+                      {"own", own},
+                      {"near", near},
+                      {"far", far},
+                      {"smooth", s.rule.smooth}},
+            .row = {"S′", short_place(s.point)},
+            .key = "S′",
+            .phase = words_.say("phase.vertex"),
+            .decides = Decision{words_.say("question"), answers, kind, branches[kind]}};
+  }
+  Event say(const LevelDone& d) const {
+    const Control& level = levels_[static_cast<std::size_t>(d.level)];
+    const bool wrong = way_ == Way::always_four;
+    return {.text = wrong          ? "level_done.wrong"
+                    : d.level == 1 ? "level_done.first"
+                                   : "level_done",
+            .facts = {{"level", d.level}, {"vertices", d.vertices}, {"faces", d.faces}},
+            .words = {{"place", short_place(subject_.of(level))},
+                      {"before", levels_[static_cast<std::size_t>(d.level) - 1].faces.size()},
+                      {"right", subject_.mesh.faces.corners.size()}},
+            .row = {words_.say("level", {{"level", d.level}}), short_place(subject_.of(level))},
+            .key = fmt::format("{}", d.level),
+            .phase = words_.say("phase.level", {{"level", d.level}})};
+  }
+
+  View draw() const {
+    const LevelDone* done = last<LevelDone>();
+    View view = backgrounds_[static_cast<std::size_t>(done ? done->level : 1) - 1];
+    star_.add_to(view);
+    add_sharp_edges(view);
+    for (const auto& s : all<FacePointFound<double>>())
+      add_point(view, s, face_number(s.face), Role::accepted);
+    for (const auto& s : all<EdgePointFound<double>>())
+      add_point(view, s, edge_number(s.edge), Role::measure);
+    view.add({"w dot", Role::current, Dot{star_centre}});
+    if (const auto* f = now<FacePointFound<double>>()) {
+      add_weights(view, face_number(f->face), Role::accepted);
+      add_sum(view, face_number(f->face), fmt::format("F{}", all<FacePointFound<double>>().size()), f->point,
+              Role::accepted);
+    } else if (const auto* e = now<EdgePointFound<double>>()) {
+      add_weights(view, edge_number(e->edge), Role::measure);
+      add_sum(view, edge_number(e->edge), fmt::format("E{}", all<EdgePointFound<double>>().size()), e->point,
+              Role::measure);
+    } else if (const auto* v = now<VertexPointFound<double>>()) {
+      add_weights(view, at(v->vertex), Role::current);
+      if (way_ != Way::loop && v->rule.smooth == 1)
+        add_means(view, *v);
+      else
+        add_sum(view, at(v->vertex), "S′", v->point, Role::current);
+    } else if (done) {
+      add_weights(view, at(subject_.vertex), Role::current);
+      add_course(view, done->level);
+    }
+    return view;
+  }
+
+ private:
+  static std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
+  static bool is_in(std::span<const std::int32_t> numbers, std::int32_t number) {
+    return std::ranges::find(numbers, number) != numbers.end();
+  }
+  const Star& star() const { return star_.star(); }
+  std::size_t edge_number(std::int32_t e) const { return subject_.mesh.points.size() + at(e); }
+  std::size_t face_number(std::int32_t f) const {
+    return subject_.mesh.points.size() + links_.edges().size() + at(f);
+  }
+
+  /// The pictures, the middle one of this level.
+  View background(int level) const {
+    View view;
+    const auto title = [&](int k) { return words_.say("level", {{"level", k}}); };
+    pictures_.add(view, "a", places[0], words_.say("control"), levels_[0], true);
+    const bool wrong = way_ == Way::always_four;
+    const int shown = subject_.levels > 1 && level == subject_.levels ? level - 1 : level;
+    add_level(view, "b", places[1], title(shown), shown);
+    if (wrong) {
+      const Control right = catmull_clark(subject_.mesh, 1);
+      pictures_.add(view, "c", places[2], words_.say("right"), right);
+      for (std::size_t f = 0; f < right.faces.size(); ++f) {
+        if (!has_face(levels_[1], right.faces[f]))
+          pictures_.add_outline(view, fmt::format("m {}", f), places[1], right, f);
+      }
+    } else if (subject_.levels > 1) {
+      add_level(view, "c", places[2], title(subject_.levels), subject_.levels);
+    }
+    pictures_.add_vertex(view, "v a", places[0], subject_.of(levels_[0]));
+    return view;
+  }
+  static bool has_face(const Control& mesh, std::span<const std::int32_t> ring) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      if (std::ranges::equal(mesh.faces[f], ring)) return true;
+    }
+    return false;
+  }
+  void add_level(View& view, const std::string& id, const Extent& place, std::string heading, int k) const {
+    const Control& level = levels_[static_cast<std::size_t>(k)];
+    pictures_.add(view, id, place, std::move(heading), level);
+    pictures_.add_vertex(view, "v " + id, place, subject_.of(level));
+  }
+
+  void add_sharp_edges(View& view) const {
+    for (std::size_t k = 0; k < star().edges.size(); ++k) {
+      const Edge& e = links_.edges()[at(star().edges[k])];
+      if (e.sharpness > 0)
+        view.add({fmt::format("s {:02}", k), Role::boundary,
+                  Stroke{star_.places().at(e.a), star_.places().at(e.b)}});
+    }
+  }
+  /// Where the star has a point of the next level.
+  dvec2 flat(std::size_t point) const {
+    dvec2 sum{0};
+    for (std::size_t i = 0; i < weights_.vertices().size(); ++i)
+      sum += weights_.of(i, point) * star_.places().at(weights_.vertices()[i]);
+    return sum;
+  }
+  /// A point of the star; those before the one at hand only where no weight is written.
+  template <class Found>
+  void add_point(View& view, const Found& found, std::size_t point, Role role) const {
+    const bool fresh = &found == now<Found>();
+    if (!fresh && (last<VertexPointFound<double>>() || length_of(flat(point) - own_place(current())) < 2))
+      return;
+    view.add({fmt::format("t {:05}", point), role, Dot{flat(point), !fresh}});
+  }
+  /// The point at hand, by its number in the next level.
+  std::size_t current() const {
+    if (const auto* f = now<FacePointFound<double>>()) return face_number(f->face);
+    if (const auto* e = now<EdgePointFound<double>>()) return edge_number(e->edge);
+    return at(subject_.vertex);
+  }
+  dvec2 own_place(std::size_t point) const {
+    return star_.own_place(point == at(subject_.vertex) ? dvec2{0} : flat(point));
+  }
+  void add_weights(View& view, std::size_t point, Role role) const {
+    for (std::size_t i = 0; i < weights_.vertices().size(); ++i) {
+      const double w = weights_.of(i, point);
+      if (w == 0) continue;
+      const std::int32_t v = weights_.vertices()[i];
+      if (v != subject_.vertex) view.add({fmt::format("w {:05}", v), Role::input, Dot{star_.places().at(v)}});
+      const dvec2 place = v == subject_.vertex ? own_place(point) : star_.beside(v);
+      view.add({fmt::format("x {:05}", v), role, Text{place, short_real(w)}});
+    }
+  }
+  /// What the vertex itself, a neighbour and a corner across from it count; 0: nothing, -1: not all the same.
+  std::array<double, 3> weights() const {
+    std::array<double, 3> found{};
+    for (std::size_t i = 0; i < weights_.vertices().size(); ++i) {
+      const std::int32_t v = weights_.vertices()[i];
+      const auto is_near = [&](std::int32_t e) { return links_.across(e, subject_.vertex) == v; };
+      const bool near = std::ranges::any_of(star().edges, is_near);
+      double& kind = found[v == subject_.vertex ? 0 : near ? 1 : 2];
+      const double w = weights_.of(i, at(subject_.vertex));
+      kind = kind == 0 || std::abs(kind - w) < 1e-9 ? w : -1;
+    }
+    return found;
+  }
+
+  // Lines beside the star
+
+  /// The point as a sum of vertices, each with its weight.
+  void add_sum(View& view, std::size_t point, const std::string& name, dvec3 sum, Role role) const {
+    std::vector<std::string> terms;
+    for (std::size_t i = 0; i < weights_.vertices().size(); ++i) {
+      const double w = weights_.of(i, point);
+      const std::int32_t v = weights_.vertices()[i];
+      if (w != 0)
+        terms.push_back(fmt::format("{} · {}", short_real(w), short_place(subject_.mesh.points[at(v)])));
+    }
+    constexpr std::size_t most = 6;
+    int line = 0;
+    for (std::size_t i = 0; i < terms.size() && i < most; ++i)
+      add_line(view, line++, Role::past, (i > 0 ? "+ " : "") + terms[i]);
+    if (terms.size() > most) add_line(view, line++, Role::past, "…");
+    add_line(view, line, role, fmt::format("{} = {}", name, short_place(sum)), true);
+  }
+  void add_means(View& view, const VertexPointFound<double>& s) const {
+    add_line(view, 0, Role::accepted, "Q = " + short_place(s.faces), true);
+    add_line(view, 1, Role::measure, "R = " + short_place(s.middles), true);
+    add_line(view, 2, Role::current, "S = " + short_place(s.from), true);
+    const auto n = static_cast<int>(star().edges.size());
+    const std::string own =
+        n == 3 ? "" : fmt::format(" {} {}S", n > 3 ? "+" : "−", n > 4 ? fmt::format("{}", n - 3) : "");
+    add_line(view, 3, Role::current, fmt::format("S′ = (Q + 2R{}) / {}", own, n));
+    add_line(view, 4, Role::current, fmt::format("= {}", short_place(s.point)));
+    if (!links_.fades(star()))
+      add_line(view, 5, Role::result,
+               words_.say("ends", {{"place", short_place(limit(subject_.mesh, subject_.vertex).point)}}));
+  }
+  void add_course(View& view, int level) const {
+    int line = 0;
+    const auto add = [&](const std::string& name, dvec3 p, Role role, bool dot) {
+      add_line(view, line++, role, fmt::format("{}: {}", name, short_place(p)), dot);
+    };
+    for (int k = 0; k <= level; ++k)
+      add(k == 0 ? words_.say("control") : words_.say("level", {{"level", k}}),
+          subject_.of(levels_[static_cast<std::size_t>(k)]), Role::current, k == level);
+    if (way_ == Way::catmull_clark && !links_.fades(star()))
+      add(words_.say("limit"), limit(subject_.mesh, subject_.vertex).point, Role::result, false);
+  }
+
+  const Words& words_;
+  const Subject& subject_;
+  const Links& links_;
+  const Way way_;
+  const std::vector<Control> levels_;
+  const Weights& weights_;
+  const LevelPictures pictures_;
+  const StarDrawing star_;
+  std::vector<View> backgrounds_{};
+};
+
+/// The vertices of the faces at a vertex: all that count for what the next level has there.
+std::vector<std::int32_t> vertices_round(const Links& links, std::int32_t vertex) {
+  std::vector<std::int32_t> all{vertex};
+  for (const std::int32_t f : links.star(vertex).faces) {
+    for (const std::int32_t v : links.ring(f)) {
+      if (std::ranges::find(all, v) == all.end()) all.push_back(v);
+    }
+  }
+  return all;
+}
+
+// --- The methods
+
+template <Way way>
+void tell_vertex(Narrator& narrator) {
+  Subject subject = subject_of(narrator.arguments(), way == Way::loop, way == Way::always_four);
+  if (way == Way::always_four) {
+    // Its pentagon towards the reader
+    subject.levels = 1;
+    subject.vertex = 0;
+    subject.reader = faces_subject::Reader({2, 3, -4});
+  }
+  const Links links(subject.mesh);
+  const Weights weights(subject.mesh, vertices_round(links, subject.vertex),
+                        [](const Control& units) { return level_of<way>(units).points; });
+  VertexStory story(narrator.words(), subject, links, way, levels_of<way>(subject), weights);
+  narrator.paper(paper_width, paper_height);
+  narrator.subtitle("subtitle", {{"vertices", subject.mesh.points.size()},
+                                 {"faces", subject.mesh.faces.size()},
+                                 {"vertex", subject.vertex + 1}});
+  add_credit(narrator);
+  narrator.columns({{"point", false}, {"place", false}});
+  narrator.legend({{Role::current, "vertex"},
+                   {Role::accepted, "faces"},
+                   {Role::measure, "edges"},
+                   {Role::boundary, "sharp"},
+                   {Role::rejected, "missing"},
+                   {Role::result, "limit"}});
+  narrator.handles("move", [&](dvec3 way_gone) { return story.at(subject.place + way_gone); });
+  const auto watch = narrator.watcher(story);
+  const auto of_vertex = [&]<class Step>(const Step& step, int line = __builtin_LINE(),
+                                         const char* file = __builtin_FILE()) {
+    if (story.concerns(step)) watch(step, line, file);
+  };
+  watch(steps::Started{}, 0);
+  for (int k = 1; k <= subject.levels; ++k) level_of<way>(story.level(k - 1), k, of_vertex);
+  const Control& last = story.level(subject.levels);
+  narrator.result(
+      {{"vertices", std::ssize(last.points)}, {"faces", static_cast<std::int64_t>(last.faces.size())}});
+}
+
+void tell_levels(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments(), false);
+  LevelsStory story(narrator.words(), subject, levels_of<Way::catmull_clark>(subject));
+  narrator.paper(paper_width, paper_height);
+  narrator.subtitle("subtitle.levels", {{"vertices", subject.mesh.points.size()}});
+  add_credit(narrator);
+  narrator.columns({{"level"}, {"vertices"}, {"faces"}});
+  narrator.legend({{Role::current, "vertex"}});
+  const auto watch = narrator.watcher(story);
+  const auto levels_alone = [&]<class Step>(const Step& step, int line = __builtin_LINE(),
+                                            const char* file = __builtin_FILE()) {
+    if constexpr (std::same_as<Step, LevelDone>) watch(step, line, file);
+  };
+  watch(steps::Started{}, 0);
+  const Control last = catmull_clark(subject.mesh, subject.levels, levels_alone);
+  narrator.result(
+      {{"vertices", std::ssize(last.points)}, {"faces", static_cast<std::int64_t>(last.faces.size())}});
+}
+
+void tell_limit(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments(), false);
+  const Control next = catmull_clark(subject.mesh, 1);
+  const Links links(next);
+  if (links.fades(links.star(subject.vertex)))
+    refuse("creases", "expected a sharpness of at most 1 or from 10 on at vertex {}", subject.vertex + 1);
+  LimitStory story(narrator.words(), subject, {subject.mesh, next, catmull_clark(next, 3)}, links);
+  narrator.paper(paper_width, paper_height);
+  narrator.subtitle("subtitle", {{"vertices", subject.mesh.points.size()},
+                                 {"faces", subject.mesh.faces.size()},
+                                 {"vertex", subject.vertex + 1}});
+  add_credit(narrator);
+  narrator.columns({{"point", false}, {"place", false}});
+  narrator.legend({{Role::current, "vertex_point"},
+                   {Role::measure, "edge_points"},
+                   {Role::accepted, "face_points"},
+                   {Role::result, "limit"}});
+  narrator.handles("move", [&](dvec3 way_gone) { return story.at(subject.place + way_gone); });
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  const Limit<double> end = limit(subject.mesh, subject.vertex, watch);
+  narrator.result({{"x", end.point.x}, {"y", end.point.y}, {"z", end.point.z}});
+}
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  using namespace parameters;
+  const Sizes modest{1e-6, 1e6};
+  static const TopicEntry topic = completed<entry>(
+      {.name = "subdivision_surface",
+       .chapter = "modeling",
+       .aliases = {"catmull-clark", "loop subdivision", "control mesh", "crease", "limit surface"},
+       .summary =
+           "a mesh gets points in its faces and edges and moves its vertices, level by level, until smooth",
+       .methods = {{.name = "catmull_clark",
+                    .standing = Standing::taught,
+                    .tell = tell_vertex<Way::catmull_clark>,
+                    .function = "catmull_clark_level"},
+                   {.name = "loop", .tell = tell_vertex<Way::loop>, .function = "loop_level"},
+                   {.name = "levels",
+                    .tell = tell_levels,
+                    .function = "catmull_clark_level",
+                    .unread = {"vertex", "move"}},
+                   {.name = "limit", .tell = tell_limit, .unread = {"levels"}},
+                   {.name = "always_four",
+                    .standing = Standing::faulty,
+                    .tell = tell_vertex<Way::always_four>,
+                    .unread = {"shape", "model", "vertex", "levels", "creases", "towards"}}},
+       .parameters = {choice("shape", {"arch", "cube", "pencil", "spot", "fish", "penguin"}, "arch", "cube",
+                             "the control mesh"),
+                      {"model", ParameterType::model, "", "MODEL.obj", "a control mesh of your own"},
+                      integer(1, 1 << 20, "vertex", "", "8",
+                              "whose points are told, counted from 1; without it one with most edges"),
+                      numbers("move", "0,0,0", "0,0.5,0", "how far that vertex is moved from its place", xyz,
+                              modest),
+                      integer(1, 4, "levels", "4", "2", "how often the mesh is subdivided"),
+                      points(
+                          1, 64, "creases", "", "1,2,1.5 2,4,10",
+                          "edges that stay sharp: two vertices, and for how many levels; from 10 on for ever",
+                          {"a", "b", "sharpness"}, {1e-3, 1 << 20}),
+                      faces_subject::towards_parameter("-3,2.4,5")},
+       .examples = {"--shape cube --levels 2", "--shape spot --vertex 8", "--method loop --shape cube"}});
+  return topic;
+}
+
+}  // namespace gradus::subdivision_surface
