@@ -235,7 +235,7 @@ class Links {
       ++faces[v];
     }
     for (std::size_t v = 0; v < count_; ++v) {
-      expects(start[v] >= 0, "a vertex has faces, but vertex {} has none", v);
+      expects(start[v] >= 0, "every vertex is a corner of some face, but vertex {} is not", v);
       first_edge_.push_back(static_cast<std::int32_t>(star_edges_.size()));
       first_face_.push_back(static_cast<std::int32_t>(star_faces_.size()));
       for (std::int32_t c = start[v]; c >= 0;) {

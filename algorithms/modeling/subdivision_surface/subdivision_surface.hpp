@@ -232,7 +232,7 @@ Surface<T> catmull_clark_level(const Surface<T>& mesh, int level = 1, O&& observ
     const T n(v.valence());
     auto p = Q + two * R;
     p = (p + (n - three) * S) / n;
-    // Where two sharp edges meet
+    // Where sharp edges meet
     const Rule r = net.rule(v);
     auto c = P(r.a) + P(r.b);
     c = (c + six * S) / eight;
@@ -247,10 +247,10 @@ Surface<T> catmull_clark_level(const Surface<T>& mesh, int level = 1, O&& observ
       quads.add(net.quad(ring, i));
     }
   }
-  auto next = joined(quads, V, E, F);
-  net.hand_down(next);
-  if constexpr (observed<O>) observer(level_done(level, E, next));
-  return next;
+  auto out = joined(quads, V, E, F);
+  net.hand_down(out);
+  if constexpr (observed<O>) observer(level_done(level, E, out));
+  return out;
 }
 
 /// Subdivides a surface of any polygons: a face of n corners becomes n quadrilaterals. Returns the mesh of
@@ -284,18 +284,18 @@ Surface<T> catmull_clark(Surface<T> mesh, int levels, O&& observer = {}) {
 template <class T, Observer<EdgePointFound<T>, VertexPointFound<T>, LevelDone> O = Unobserved>
 Surface<T> loop_level(const Surface<T>& mesh, int level = 1, O&& observer = {}) {
   const T h(0.5), one(1);
-  const T three(3), four(4);
   const T six(6), eight(8);
   const Links net(mesh);
   const Row<T> P{mesh.points};
   Row<T> E, V;
-  // Edge points
+  // Edge points: 3/8 of both ends,
+  // 1/8 of both corners across
   for (Edge e : net.edges()) {
     const int a = net.opposite(e.c);
     const int b = net.opposite(e.d);
     auto m = h * (P(e.a) + P(e.b));
     auto g = h * (P(a) + P(b));
-    auto p = (three * m + g) / four;
+    auto p = h * (m + h * (m + g));
     const T s(e.sharp());
     E.add(s * m + (one - s) * p);
     if constexpr (observed<O>) observer(EdgePointFound<T>{level, E.last(), m, E.all.back(), e.sharp()});
@@ -308,7 +308,7 @@ Surface<T> loop_level(const Surface<T>& mesh, int level = 1, O&& observer = {}) 
     auto S = P(v.vertex);
     auto p = n * w * N;
     p += (one - n * w) * S;
-    // Where two sharp edges meet
+    // Where sharp edges meet
     const Rule r = net.rule(v);
     auto c = P(r.a) + P(r.b);
     c = (c + six * S) / eight;
@@ -316,16 +316,16 @@ Surface<T> loop_level(const Surface<T>& mesh, int level = 1, O&& observer = {}) 
     if constexpr (observed<O>) observer(VertexPointFound<T>{level, v.vertex, N, N, S, V.all.back(), r});
   }
   // Each triangle becomes four
-  Faces parts;
+  Faces four;
   for (auto ring : net.rings()) {
     for (size_t i = 0; i < 4; ++i) {
-      parts.add(net.fourth(ring, i));
+      four.add(net.fourth(ring, i));
     }
   }
-  auto next = joined(parts, V, E);
-  net.hand_down(next);
-  if constexpr (observed<O>) observer(level_done(level, E, next));
-  return next;
+  auto out = joined(four, V, E);
+  net.hand_down(out);
+  if constexpr (observed<O>) observer(level_done(level, E, out));
+  return out;
 }
 
 /// Subdivides a surface of triangles: each becomes four.
@@ -381,7 +381,7 @@ Limit<T> limit(const Surface<T>& mesh, std::int32_t vertex, O&& observer = {}) {
   auto F = P.mean(across(net, v));
   auto p = n * S + four * E + F;
   p = p / (n + five);
-  // Where two sharp edges meet
+  // Where sharp edges meet
   const Rule r = net.rule(v);
   auto c = P(r.a) + P(r.b);
   c = (c + four * S) / six;

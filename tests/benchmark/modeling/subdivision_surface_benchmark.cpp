@@ -1,6 +1,6 @@
 // A smooth surface as faces: levels of a control mesh, beside OpenSubdiv where it is there.
 
-#include "modeling/subdivision_surface/subdivision_surface.hpp"
+#include "modeling/subdivision_surface/subdivision_surface_batch.hpp"
 
 #include <fmt/format.h>
 
@@ -84,9 +84,11 @@ void opensubdiv(int levels, std::vector<Theirs>& last) {
 
 std::vector<Case> cases() {
   std::vector<Case> all;
-  for (const int levels : {2, 3, 4, 5, 6}) {
+  for (const int levels : {2, 3, 4, 5, 6, 7}) {
     all.push_back(case_of("catmull_clark", Standing::taught, levels,
                           [levels](Mesh& last) { last = catmull_clark(control(), levels); }));
+    all.push_back(case_of("catmull_clark_batch", Standing::batch, levels,
+                          [levels](Mesh& last) { last = catmull_clark_batch(control(), levels); }));
 #ifdef GRADUS_HAS_OPENSUBDIV
     const auto kept = std::make_shared<std::vector<Theirs>>();
     all.push_back(
@@ -106,7 +108,7 @@ Subject subdivision_surface() {
           .measure = "levels",
           .telling = "4 levels",
           .cases = cases,
-          .choice = {"catmull_clark", "the header alone; limits of vertices come from one level"}};
+          .choice = {"catmull_clark_batch", "nothing is sorted after the first level"}};
 }
 
 }  // namespace gradus::bench

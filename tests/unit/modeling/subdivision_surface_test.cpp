@@ -11,6 +11,7 @@
 #include "core/arithmetic/exact_scalar.hpp"
 #include "core/contract.hpp"
 #include "core/record.hpp"
+#include "modeling/subdivision_surface/subdivision_surface_batch.hpp"
 #include "modeling/subdivision_surface/subdivision_surface_notes.hpp"
 #include "unit/modeling/subdivision_surface/shapes.hpp"
 
@@ -112,6 +113,28 @@ TEST(SubdivisionSurface, NormalsAreThoseOfFineLevels) {
       EXPECT_GT(glm::dot(sum, normal) / (length_of(sum) * length_of(normal)), 0.99) << v;
     }
   }
+}
+
+TEST(SubdivisionSurface, TheBatchHasTheSameFaces) {
+  constexpr double bound = 1e-14;
+  for (const Mesh& mesh : {cube(), pencil(), open_cube(), arch_of_quads()}) {
+    for (int levels = 0; levels <= 5; ++levels) {
+      const Mesh right = catmull_clark(mesh, levels), fast = catmull_clark_batch(mesh, levels);
+      ASSERT_EQ(fast.points.size(), right.points.size());
+      ASSERT_EQ(fast.faces.first, right.faces.first);
+      double worst = 0;
+      for (std::size_t c = 0; c < right.faces.corners.size(); ++c) {
+        const auto corner = [&](const Mesh& m) {
+          return m.points[static_cast<std::size_t>(m.faces.corners[c])];
+        };
+        worst = std::max(worst, length_of(corner(right) - corner(fast)));
+      }
+      EXPECT_LE(worst, 4 * bound) << levels;  // the largest coordinate is 4
+    }
+  }
+  Mesh sharp = cube();
+  sharp.creases = {{0, 1, 2}};
+  EXPECT_EQ(catmull_clark_batch(sharp, 3), catmull_clark(sharp, 3));
 }
 
 TEST(SubdivisionSurface, StepsFollowTheGrammarAndObservedEqualsUnobserved) {

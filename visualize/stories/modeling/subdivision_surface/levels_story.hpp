@@ -1,5 +1,5 @@
 #pragma once
-// The levels of a surface as pictures beside each other, one a step.
+// The levels of a surface as pictures beside each other, a step each.
 
 #include <utility>
 #include <vector>
@@ -35,7 +35,7 @@ class LevelsStory : public Past<steps::Started, LevelDone> {
             .phase = words_.say("level", {{"level", d.level}})};
   }
 
-  /// The names of all levels, and the pictures of those that there are.
+  /// The names of all levels, and the pictures of those that were reached.
   View draw() const {
     const std::size_t reached = all<LevelDone>().size();
     if (reached + 1 == levels_.size()) return all_;
