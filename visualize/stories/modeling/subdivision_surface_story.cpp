@@ -41,7 +41,12 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
         weights_(weights),
         pictures_(words, subject),
         star_(links, subject.vertex, star_centre, star_radius) {
-    for (int k = 1; k <= subject.levels; ++k) backgrounds_.push_back(background(k));
+    const View outer = outer_pictures();
+    for (int k = 1; k <= subject.levels; ++k) {
+      const int shown = k > 1 && k == subject.levels ? k - 1 : k;
+      backgrounds_.push_back(outer);
+      add_level(backgrounds_.back(), "b", places[1], shown);
+    }
   }
 
   dvec2 at(dvec3 p) const { return pictures_.at(places[0], p); }
@@ -176,25 +181,21 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
     return subject_.mesh.points.size() + links_.edges().size() + at(f);
   }
 
-  /// The pictures, the middle one of this level.
-  View background(int level) const {
+  /// The control mesh, and the last level or the right one.
+  View outer_pictures() const {
     View view;
-    const auto title = [&](int k) { return words_.say("level", {{"level", k}}); };
     pictures_.add(view, "a", places[0], words_.say("control"), levels_[0], true);
-    const bool wrong = way_ == Way::always_four;
-    const int shown = subject_.levels > 1 && level == subject_.levels ? level - 1 : level;
-    add_level(view, "b", places[1], title(shown), shown);
-    if (wrong) {
-      const Control right = catmull_clark(subject_.mesh, 1);
-      pictures_.add(view, "c", places[2], words_.say("right"), right);
-      for (std::size_t f = 0; f < right.faces.size(); ++f) {
-        if (!has_face(levels_[1], right.faces[f]))
-          pictures_.add_outline(view, fmt::format("m {}", f), places[1], right, f);
-      }
-    } else if (subject_.levels > 1) {
-      add_level(view, "c", places[2], title(subject_.levels), subject_.levels);
-    }
     pictures_.add_vertex(view, "v a", places[0], subject_.of(levels_[0]));
+    if (way_ != Way::always_four) {
+      if (subject_.levels > 1) add_level(view, "c", places[2], subject_.levels);
+      return view;
+    }
+    const Control right = catmull_clark(subject_.mesh, 1);
+    pictures_.add(view, "c", places[2], words_.say("right"), right);
+    for (std::size_t f = 0; f < right.faces.size(); ++f) {
+      if (!has_face(levels_[1], right.faces[f]))
+        pictures_.add_outline(view, fmt::format("m {}", f), places[1], right, f);
+    }
     return view;
   }
   static bool has_face(const Control& mesh, std::span<const std::int32_t> ring) {
@@ -203,9 +204,9 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
     }
     return false;
   }
-  void add_level(View& view, const std::string& id, const Extent& place, std::string heading, int k) const {
+  void add_level(View& view, const std::string& id, const Extent& place, int k) const {
     const Control& level = levels_[static_cast<std::size_t>(k)];
-    pictures_.add(view, id, place, std::move(heading), level);
+    pictures_.add(view, id, place, words_.say("level", {{"level", k}}), level);
     pictures_.add_vertex(view, "v " + id, place, subject_.of(level));
   }
 
@@ -276,7 +277,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
       if (w != 0)
         terms.push_back(fmt::format("{} · {}", short_real(w), short_place(subject_.mesh.points[at(v)])));
     }
-    constexpr std::size_t most = 6;
+    const std::size_t most = terms.size() > 6 ? 5 : 6;
     int line = 0;
     for (std::size_t i = 0; i < terms.size() && i < most; ++i)
       add_line(view, line++, Role::past, (i > 0 ? "+ " : "") + terms[i]);

@@ -14,7 +14,7 @@
 namespace gradus::subdivision_surface {
 
 /// Drawings of lines for up to so many faces; more are rendered, up to so many with lines between them.
-inline constexpr std::size_t most_drawn = 300, most_faceted = 1600;
+inline constexpr std::size_t most_drawn = 300, most_faceted = 900;
 
 inline constexpr int paper_width = 36, paper_height = 27;
 /// Three pictures above.
@@ -102,6 +102,8 @@ class LevelPictures {
       }
     }
     drawing.add_to(view, id + " a");
+    // Control meshes of animals pierce themselves a little: not worth lines
+    std::erase_if(view.marks, [&](const auto& mark) { return mark.first.starts_with(id + " meets "); });
   }
   static bool less(dvec3 a, dvec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
@@ -178,7 +180,7 @@ class StarDrawing {
         places_.emplace(v, on_circle(static_cast<double>(k) + part, 1.22));
         rings_.back().push_back(places_[v]);
       }
-      gaps_.push_back(on_circle(static_cast<double>(k) + 0.5, n < 5 ? 0.42 : 0.57));
+      gaps_.push_back(on_circle(static_cast<double>(k) + 0.5, n < 5 && ring.size() == 3 ? 0.42 : 0.57));
     }
   }
 
