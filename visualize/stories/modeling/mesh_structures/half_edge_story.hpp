@@ -25,10 +25,8 @@ class HalfEdgeStory : public Past<steps::Started, FacePlaced, EdgeJoined, LoopCl
   double tells(const auto&) const { return 0; }
 
   Event say(const steps::Started&) const {
-    const Counts& c = task_.counts;
     return {.text = "started",
-            .facts = {{"euler", static_cast<std::int64_t>(c.euler())}},
-            .words = {{"V", c.vertices}, {"E", c.edges}, {"F", c.faces}},
+            .facts = {{"corners", std::ssize(task_.subject.faces.corners)}},
             .level = Level::idea};
   }
   Event say(const FacePlaced& p) const {

@@ -18,12 +18,7 @@ class SpreadStory : public Past<steps::Started, Seeded, Demanded, steps::Finishe
   }
   double tells(const auto&) const { return 0; }
 
-  Event say(const steps::Started&) const {
-    const Counts& c = task_.counts;
-    return {.text = "spread.started",
-            .words = {{"V", c.vertices}, {"E", c.edges}, {"F", c.faces}, {"chi", c.euler()}},
-            .level = Level::idea};
-  }
+  Event say(const steps::Started&) const { return {.text = "spread.started", .level = Level::idea}; }
   Event say(const Seeded& s) const {
     return {.text = "seeded",
             .words = {{"f", face_name(s.face)}},
@@ -63,11 +58,7 @@ class SpreadStory : public Past<steps::Started, Seeded, Demanded, steps::Finishe
     for (const Demanded& d : all<Demanded>()) turned += d.outcome == Outcome::reached && d.turned;
     return {.text = fails() ? "spread.failed" : "spread.passed",
             .facts = {{"turned", turned}},
-            .words = {{"V", c.vertices},
-                      {"E", c.edges},
-                      {"F", c.faces},
-                      {"chi", c.euler()},
-                      {"loops", c.loops == none ? Said("–") : Said(c.loops)}}};
+            .words = {{"chi", c.euler()}, {"loops", c.loops == none ? Said("–") : Said(c.loops)}}};
   }
 
   View draw() const {

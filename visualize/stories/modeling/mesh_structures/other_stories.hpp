@@ -16,9 +16,7 @@ class WingedStory : public Past<steps::Started, WingTurned, WingFollowed, WingCr
   double tells(const WingFollowed& f) const { return f.round ? 1 : 2; }
   double tells(const auto&) const { return 0; }
 
-  Event say(const steps::Started&) const {
-    return {.text = "winged.started", .words = {{"E", task_.counts.edges}}, .level = Level::idea};
-  }
+  Event say(const steps::Started&) const { return {.text = "winged.started", .level = Level::idea}; }
   Event say(const WingTurned& t) const {
     return walked(t.edge, t.next, t.round, t.face == none ? "winged.turned.outside" : "winged.turned",
                   face_name(t.face));
@@ -117,11 +115,7 @@ class SearchStory : public Past<steps::Started, Searched, steps::Finished> {
   double tells(const Searched& s) const { return s.found ? 2 : 3; }
   double tells(const auto&) const { return 0; }
 
-  Event say(const steps::Started&) const {
-    return {.text = "search.started",
-            .words = {{"F", task_.counts.faces}, {"V", task_.counts.vertices}},
-            .level = Level::idea};
-  }
+  Event say(const steps::Started&) const { return {.text = "search.started", .level = Level::idea}; }
   Event say(const Searched& s) const {
     const std::string ring = names_of(ring_of(task_.subject.faces, s.face), vertex_name);
     const std::string what =
@@ -183,9 +177,8 @@ class CostsStory : public Past<steps::Started, Answered, steps::Finished> {
   double tells(const auto&) const { return 0; }
 
   Event say(const steps::Started&) const {
-    return {.text = "costs",
-            .words = {{"F", task_.counts.faces}, {"corners", task_.subject.faces.corners.size()}},
-            .level = Level::idea};
+    return {
+        .text = "costs", .words = {{"corners", task_.subject.faces.corners.size()}}, .level = Level::idea};
   }
   Event say(const Answered& a) const {
     const std::string question = asked(a.question), structure = name(a.structure);

@@ -226,9 +226,6 @@ inline Subject given_mesh(const Arguments& arguments) {
 
 inline Subject subject_of(const Arguments& arguments) {
   if (names_a_model(arguments)) return given_mesh(arguments);
-  if (arguments.text("mesh") != "sample" &&
-      (arguments.entry("triangles").given || arguments.entry("vertices").given))
-    refuse("mesh", "sample expected, for --triangles and --vertices are of that mesh");
   return arguments.text("mesh") == "sample" ? given_triangles(arguments) : shape_of(arguments.text("mesh"));
 }
 
