@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -81,7 +82,7 @@ class LevelPictures {
       const bool stands_out = star && std::ranges::count(mesh.faces[f], subject_.vertex) > 0;
       const Role role = stands_out ? Role::current : Role::input;
       // A bent face as triangles, all in its own shade
-      const int shade = shade_of(look.turned(area_vector(ring)));
+      const int shade = is_flat(ring) ? 0 : shade_of(look.turned(area_vector(ring)));
       const auto add = [&](std::vector<dvec3> part) {
         drawing.add(
             SpaceFace{.id = id, .role = role, .ring = std::move(part), .one_sided = false, .shade = shade});
@@ -91,21 +92,31 @@ class LevelPictures {
       } else {
         for (std::size_t i = 1; i + 1 < ring.size(); ++i) add({ring[0], ring[i], ring[i + 1]});
       }
-      for (const auto& [a, b] : sides_of(ring)) {
-        if (less(b, a)) continue;  // once
-        drawing.add(SpaceEdge{.id = fmt::format("{} e {:04}", id, edges_++),
-                              .role = Role::past,
-                              .a = a,
-                              .b = b,
-                              .thin = true,
-                              .behind = false});
-      }
+    }
+    for (const auto& [a, b] : edges_between(mesh)) {
+      drawing.add(SpaceEdge{.id = fmt::format("{} e {:04}", id, edges_++),
+                            .role = Role::past,
+                            .a = mesh.points[static_cast<std::size_t>(a)],
+                            .b = mesh.points[static_cast<std::size_t>(b)],
+                            .thin = true,
+                            .behind = false});
     }
     drawing.add_to(view, id + " a");
     // Control meshes of animals pierce themselves a little: not worth lines
     std::erase_if(view.marks, [&](const auto& mark) { return mark.first.starts_with(id + " meets "); });
   }
-  static bool less(dvec3 a, dvec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+  /// Each once, also of what is no surface.
+  static std::vector<std::pair<std::int32_t, std::int32_t>> edges_between(const Control& mesh) {
+    std::set<std::pair<std::int32_t, std::int32_t>> edges;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      const auto ring = mesh.faces[f];
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const auto [a, b] = std::minmax(ring[i], ring[(i + 1) % ring.size()]);
+        edges.emplace(a, b);
+      }
+    }
+    return {edges.begin(), edges.end()};
+  }
 
   void render(View& view, const std::string& id, const Extent& place, const Control& mesh) const {
     const Panel shown = panel(place);

@@ -105,9 +105,15 @@ inline Control in_triangles(Control mesh) {
 inline Control control_of(const Arguments& arguments) {
   if (names_a_model(arguments)) return of_model(given_model(arguments, ""));
   const std::string shape = arguments.text("shape");
-  if (shape == "cube") {
+  if (shape == "cube" || shape == "box") {
     Control cube = of_cubes({{0, 0, 0}});
     for (dvec3& p : cube.points) p = 2.0 * p - 1.0;
+    if (shape == "cube") return cube;
+    Faces open;  // on top, where y is 1
+    for (std::size_t f = 0; f < cube.faces.size(); ++f) {
+      if (f != 3) open.add(cube.faces[f]);
+    }
+    cube.faces = std::move(open);
     return cube;
   }
   if (shape == "pencil") return pencil();
@@ -184,7 +190,7 @@ inline Subject subject_of(const Arguments& arguments, bool triangles, bool own_s
   const Links links(mesh);
   const auto count = static_cast<std::int64_t>(mesh.points.size());
   subject.vertex = vertex_to_tell(mesh, links, subject.reader.towards);
-  if (!own_shape && !arguments.text("vertex").empty()) {
+  if (!own_shape && arguments.has("vertex") && !arguments.text("vertex").empty()) {
     const std::int64_t v = arguments.integer("vertex");
     if (v > count) refuse("vertex", "expected a vertex up to {}, found {}", count, v);
     subject.vertex = static_cast<std::int32_t>(v - 1);
