@@ -70,7 +70,7 @@ void opensubdiv(int levels, std::vector<Theirs>& last) {
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   const std::unique_ptr<Far::TopologyRefiner> refiner(
       Factory::Create(given, Factory::Options(Sdc::SCHEME_CATMARK)));
-  refiner->RefineUniform(Far::TopologyRefiner::UniformOptions(static_cast<unsigned>(levels)));
+  refiner->RefineUniform(Far::TopologyRefiner::UniformOptions(levels));
   const Far::PrimvarRefinerReal<double> interpolate(*refiner);
   std::vector<Theirs> now;
   for (const dvec3 p : control().points) now.push_back({p});

@@ -126,7 +126,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
   }
   Event say(const LevelDone& d) const {
     const Control& level = levels_[static_cast<std::size_t>(d.level)];
-    const bool wrong = way_ == Way::always_four;
+    const bool wrong = way_ == Way::always_four && level.faces.size() != subject_.mesh.faces.corners.size();
     return {.text = wrong          ? "level_done.wrong"
                     : d.level == 1 ? "level_done.first"
                                    : "level_done",
@@ -136,7 +136,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
                       {"right", subject_.mesh.faces.corners.size()}},
             .row = {words_.say("level", {{"level", d.level}}), short_place(subject_.of(level))},
             .key = fmt::format("{}", d.level),
-            .phase = words_.say("phase.level", {{"level", d.level}})};
+            .phase = words_.say("phase.levels")};
   }
 
   View draw() const {
@@ -229,8 +229,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
   template <class Found>
   void add_point(View& view, const Found& found, std::size_t point, Role role) const {
     const bool fresh = &found == now<Found>();
-    if (!fresh && (last<VertexPointFound<double>>() || length_of(flat(point) - own_place(current())) < 2))
-      return;
+    if (!fresh && (last<LevelDone>() || length_of(flat(point) - own_place(current())) < 2)) return;
     view.add({fmt::format("t {:05}", point), role, Dot{flat(point), !fresh}});
   }
   /// The point at hand, by its number in the next level.
@@ -249,7 +248,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
       const std::int32_t v = weights_.vertices()[i];
       if (v != subject_.vertex) view.add({fmt::format("w {:05}", v), Role::input, Dot{star_.places().at(v)}});
       const dvec2 place = v == subject_.vertex ? own_place(point) : star_.beside(v);
-      view.add({fmt::format("x {:05}", v), role, Text{place, short_real(w)}});
+      view.add({fmt::format("x {:05}", v), role, Text{place, short_real(w), Align::centre, true}});
     }
   }
   /// What the vertex itself, a neighbour and a corner across from it count; 0: nothing, -1: not all the same.
@@ -282,12 +281,12 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
     for (std::size_t i = 0; i < terms.size() && i < most; ++i)
       add_line(view, line++, Role::past, (i > 0 ? "+ " : "") + terms[i]);
     if (terms.size() > most) add_line(view, line++, Role::past, "…");
-    add_line(view, line, role, fmt::format("{} = {}", name, short_place(sum)), true);
+    add_line(view, line, role, fmt::format("{} = {}", name, short_place(sum)));
   }
   void add_means(View& view, const VertexPointFound<double>& s) const {
-    add_line(view, 0, Role::accepted, "Q = " + short_place(s.faces), true);
-    add_line(view, 1, Role::measure, "R = " + short_place(s.middles), true);
-    add_line(view, 2, Role::current, "S = " + short_place(s.from), true);
+    add_line(view, 0, Role::accepted, "Q = " + short_place(s.faces));
+    add_line(view, 1, Role::measure, "R = " + short_place(s.middles));
+    add_line(view, 2, Role::current, "S = " + short_place(s.from));
     const auto n = static_cast<int>(star().edges.size());
     const std::string own =
         n == 3 ? "" : fmt::format(" {} {}S", n > 3 ? "+" : "−", n > 4 ? fmt::format("{}", n - 3) : "");
@@ -299,14 +298,14 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
   }
   void add_course(View& view, int level) const {
     int line = 0;
-    const auto add = [&](const std::string& name, dvec3 p, Role role, bool dot) {
-      add_line(view, line++, role, fmt::format("{}: {}", name, short_place(p)), dot);
+    const auto add = [&](const std::string& name, dvec3 p, Role role) {
+      add_line(view, line++, role, fmt::format("{}: {}", name, short_place(p)));
     };
     for (int k = 0; k <= level; ++k)
       add(k == 0 ? words_.say("control") : words_.say("level", {{"level", k}}),
-          subject_.of(levels_[static_cast<std::size_t>(k)]), Role::current, k == level);
+          subject_.of(levels_[static_cast<std::size_t>(k)]), k == level ? Role::current : Role::past);
     if (way_ == Way::catmull_clark && !links_.fades(star()))
-      add(words_.say("limit"), limit(subject_.mesh, subject_.vertex).point, Role::result, false);
+      add(words_.say("limit"), limit(subject_.mesh, subject_.vertex).point, Role::result);
   }
 
   const Words& words_;
@@ -335,13 +334,8 @@ std::vector<std::int32_t> vertices_round(const Links& links, std::int32_t vertex
 
 template <Way way>
 void tell_vertex(Narrator& narrator) {
-  Subject subject = subject_of(narrator.arguments(), way == Way::loop, way == Way::always_four);
-  if (way == Way::always_four) {
-    // Its pentagon towards the reader
-    subject.levels = 1;
-    subject.vertex = 0;
-    subject.reader = faces_subject::Reader({2, 3, -4});
-  }
+  Subject subject = subject_of(narrator.arguments(), way == Way::loop);
+  if (way == Way::always_four) subject.levels = 1;  // what it makes can't be subdivided
   const Links links(subject.mesh);
   const Weights weights(subject.mesh, vertices_round(links, subject.vertex),
                         [](const Control& units) { return level_of<way>(units).points; });
@@ -438,8 +432,7 @@ const TopicEntry& entry() {
                    {.name = "limit", .tell = tell_limit, .unread = {"levels"}},
                    {.name = "always_four",
                     .standing = Standing::faulty,
-                    .tell = tell_vertex<Way::always_four>,
-                    .unread = {"shape", "model", "vertex", "levels", "creases", "towards"}}},
+                    .tell = tell_vertex<Way::always_four>}},
        .parameters = {choice("shape", {"arch", "cube", "box", "pencil", "spot", "fish", "penguin"}, "arch",
                              "cube", "the control mesh"),
                       {"model", ParameterType::model, "", "MODEL.obj", "a control mesh of your own"},

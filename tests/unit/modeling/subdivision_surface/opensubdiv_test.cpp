@@ -57,7 +57,7 @@ std::unique_ptr<Far::TopologyRefiner> refined(const Mesh& mesh, Sdc::SchemeType 
   options.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   std::unique_ptr<Far::TopologyRefiner> refiner(Factory::Create(given, Factory::Options(scheme, options)));
-  Far::TopologyRefiner::UniformOptions uniform(static_cast<unsigned>(levels));
+  Far::TopologyRefiner::UniformOptions uniform(levels);
   uniform.fullTopologyInLastLevel = true;
   refiner->RefineUniform(uniform);
   return refiner;

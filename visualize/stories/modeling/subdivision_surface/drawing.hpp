@@ -24,11 +24,10 @@ inline constexpr std::array<Extent, 3> places{
 /// Below them a star on the left,
 inline constexpr dvec2 star_centre{8, 6.6};
 inline constexpr double star_radius = 4.3;
-/// and on the right lines of text, from 0 on, each behind a dot or none.
-inline void add_line(View& view, int line, Role role, std::string text, bool dot = false) {
-  const dvec2 left = dvec2{18, 11.6 - 1.75 * line};
-  if (dot) view.add({fmt::format("y {:02} dot", line), role, Dot{left}});
-  view.add({fmt::format("y {:02}", line), role, Text{left + dvec2{0.9, 0}, std::move(text), Align::left}});
+/// and on the right lines of text, from 0 on.
+inline void add_line(View& view, int line, Role role, std::string text) {
+  view.add({fmt::format("y {:02}", line), role,
+            Text{{18, 11.6 - 1.75 * line}, std::move(text), Align::left, true}});
 }
 
 /// Pictures of the levels, all in one scale.
@@ -46,10 +45,13 @@ class LevelPictures {
   void add(View& view, const std::string& id, const Extent& place, std::string heading, const Control& mesh,
            bool star = false) const {
     const double middle = place.centre().x;
-    view.add({id + " h", Role::boundary, Text{{middle, place.upper.y - 0.6}, std::move(heading)}});
+    view.add({id + " h", Role::boundary,
+              Text{{middle, place.upper.y - 0.6}, std::move(heading), Align::centre, true}});
     view.add({id + " n", Role::past,
               Text{{middle, place.upper.y - 2.1},
-                   words_.say("counts", {{"vertices", mesh.points.size()}, {"faces", mesh.faces.size()}})}});
+                   words_.say("counts", {{"vertices", mesh.points.size()}, {"faces", mesh.faces.size()}}),
+                   Align::centre,
+                   true}});
     if (mesh.faces.size() <= most_drawn)
       draw(view, id, place, mesh, star);
     else

@@ -75,7 +75,7 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
       const dvec3 tip = found->point + 0.3 * size() / length * normal->normal;
       view.add({"v normal", Role::measure,
                 Stroke{pictures_.at(places[2], found->point), pictures_.at(places[2], tip), true}});
-      add_line(view, 6, Role::measure, "N = " + short_place(normal->normal / length), true);
+      add_line(view, 6, Role::measure, "N = " + short_place(normal->normal / length));
     }
     return view;
   }
@@ -106,15 +106,16 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
       const Role role = v == subject_.vertex ? Role::current : is_near(v) ? Role::measure : Role::accepted;
       if (v != subject_.vertex) view.add({fmt::format("w {:05}", v), role, Dot{place}});
       view.add({fmt::format("x {:05}", v), role,
-                Text{v == subject_.vertex ? star_.own_place({0, 0}) : star_.beside(v), short_real(w)}});
+                Text{v == subject_.vertex ? star_.own_place({0, 0}) : star_.beside(v), short_real(w),
+                     Align::centre, true}});
     }
   }
   void add_sum(View& view, const LimitFound<double>& s) const {
-    add_line(view, 0, Role::current, "S′ = " + short_place(s.vertex_point), true);
+    add_line(view, 0, Role::current, "S′ = " + short_place(s.vertex_point));
     const auto n = static_cast<int>(s.valence);
     if (rule_.smooth == 1) {
-      add_line(view, 1, Role::measure, "E = " + short_place(s.edge_points), true);
-      add_line(view, 2, Role::accepted, "F = " + short_place(s.face_points), true);
+      add_line(view, 1, Role::measure, "E = " + short_place(s.edge_points));
+      add_line(view, 2, Role::accepted, "F = " + short_place(s.face_points));
       add_line(view, 3, Role::result, fmt::format("({}S′ + 4E + F) / {}", n, n + 5));
     }
     add_line(view, 4, Role::result, "= " + short_place(s.point));

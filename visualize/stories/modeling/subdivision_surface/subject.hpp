@@ -174,9 +174,9 @@ inline void add_creases(Control& mesh, const Arguments& arguments) {
   }
 }
 
-inline Subject subject_of(const Arguments& arguments, bool triangles, bool own_shape = false) {
-  Subject subject{own_shape ? pencil() : control_of(arguments), 0,
-                  static_cast<int>(arguments.integer("levels")), faces_subject::reader_of(arguments)};
+inline Subject subject_of(const Arguments& arguments, bool triangles) {
+  Subject subject{control_of(arguments), 0, static_cast<int>(arguments.integer("levels")),
+                  faces_subject::reader_of(arguments)};
   Control& mesh = subject.mesh;
   if (mesh.faces.size() > most_control_faces)
     refuse(arguments, {"model"},
@@ -190,7 +190,7 @@ inline Subject subject_of(const Arguments& arguments, bool triangles, bool own_s
   const Links links(mesh);
   const auto count = static_cast<std::int64_t>(mesh.points.size());
   subject.vertex = vertex_to_tell(mesh, links, subject.reader.towards);
-  if (!own_shape && arguments.has("vertex") && !arguments.text("vertex").empty()) {
+  if (arguments.has("vertex") && !arguments.text("vertex").empty()) {
     const std::int64_t v = arguments.integer("vertex");
     if (v > count) refuse("vertex", "expected a vertex up to {}, found {}", count, v);
     subject.vertex = static_cast<std::int32_t>(v - 1);
