@@ -13,6 +13,8 @@
 #include "core/axis_cut.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
+#include "modeling/ear_clipping/join_holes.hpp"
+#include "modeling/ear_clipping/widest_ear.hpp"
 #include "stress/numbers.hpp"
 #include "stress/scales.hpp"
 #include "support/polygon_areas.hpp"
@@ -221,6 +223,148 @@ double space_error(const Input& i) {
   return std::max(worst, cover_error(ear_clipping::flattened(face), *triangles));
 }
 
+/// The same of the widest ears.
+double widest_error(const Input& i) {
+  auto polygon = corners_in<dvec2>(i);
+  if (!polygon || !is_taken(*polygon)) return 0;
+  if (test::exact_area(*polygon) < 0) std::ranges::reverse(*polygon);
+  std::vector<Triangle> triangles;
+  ear_clipping::widest_ear(*polygon, [&](const Triangle& t) { triangles.push_back(t); });
+  return cover_error(*polygon, triangles);
+}
+
+// --- Holes: an outline of eight corners, three holes of four
+
+constexpr std::size_t outline_corners = 8, hole_corners = 4, holes = 3,
+                      all_corners = outline_corners + holes * hole_corners;
+
+/// A star with holes apart from each other; of ties on whole numbers, and a hole that touches its outline.
+Input holes_input(Kind kind, Random& random) {
+  Points points;
+  const auto add_star = [&](std::size_t corners, dvec2 middle, double least, double most) {
+    for (std::size_t k = 0; k < corners; ++k) {
+      const double turns = (static_cast<double>(k) + random.uniform(0, 0.5)) / static_cast<double>(corners);
+      const SinCos at = sin_cos(0x1.921fb54442d18p2 * turns);
+      const dvec2 p = middle + random.uniform(least, most) * dvec2(at.cos, at.sin);
+      points.push_back(kind == Kind::ties ? glm::round(4.0 * p) : p);
+    }
+  };
+  add_star(outline_corners, dvec2(0), kind == Kind::near_degenerate ? 7.99 : 5, 8);
+  for (std::size_t h = 0; h < holes; ++h) {
+    const SinCos at = sin_cos(0x1.921fb54442d18p2 * (static_cast<double>(h) + random.unit()) / 9 * 3);
+    add_star(hole_corners, 1.8 * dvec2(at.cos, at.sin), 0.3, 1.4);
+  }
+  const auto corner = [&](std::size_t n) {
+    return static_cast<std::size_t>(random.uniform_int(0, static_cast<std::int64_t>(n) - 1));
+  };
+  if (kind == Kind::ties || kind == Kind::grazing)
+    points[outline_corners + corner(holes * hole_corners)] = points[corner(outline_corners)];
+  Input input;
+  for (const dvec2 p : points) {
+    input.push_back(is_place_of_several(kind) ? p.x : number(kind, random));
+    input.push_back(is_place_of_several(kind) ? p.y : number(kind, random));
+  }
+  if (kind == Kind::refused) input[corner(input.size())] = std::nan("");
+  return input;
+}
+
+struct Region {
+  Points points;
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  Faces rings;
+};
+Region region_in(const Input& i) {
+  Region region;
+  for (std::size_t k = 0; k < all_corners; ++k) region.points.emplace_back(i[2 * k], i[2 * k + 1]);
+  for (std::size_t first = 0; first < all_corners;) {
+    const std::size_t count = first == 0 ? outline_corners : hole_corners;
+    std::vector<std::int32_t> ring(count);
+    std::iota(ring.begin(), ring.end(), static_cast<std::int32_t>(first));
+    for (std::size_t k = 0; k < count; ++k) region.edges.emplace_back(first + k, first + (k + 1) % count);
+    region.rings.add(ring);
+    first += count;
+  }
+  return region;
+}
+
+/// Whether edges meet at most in one corner of two rings, and all holes lie inside; how many touch.
+std::optional<int> touching(const Region& r) {
+  const auto at = [&](std::size_t k) { return r.points[k]; };
+  const auto on = [&](std::size_t a, std::size_t b, std::size_t p) {
+    return orient2d(at(a), at(b), at(p)) == 0 &&
+           at(p) == glm::clamp(at(p), glm::min(at(a), at(b)), glm::max(at(a), at(b)));
+  };
+  int touching = 0;
+  for (std::size_t i = 0; i < all_corners; ++i) {
+    for (std::size_t k = 0; k < i; ++k) touching += at(i) == at(k);
+  }
+  for (const auto& [a, b] : r.edges) {
+    for (const auto& [c, d] : r.edges) {
+      const auto same = [&](std::size_t p, std::size_t q) { return at(p) == at(q); };
+      if (same(a, b) || (a != c && same(a, c) && same(b, d)) || (same(a, d) && same(b, c)))
+        return std::nullopt;
+      if ((on(a, b, c) && !same(a, c) && !same(b, c)) || (on(a, b, d) && !same(a, d) && !same(b, d)))
+        return std::nullopt;
+      if (orient2d(at(a), at(b), at(c)) * orient2d(at(a), at(b), at(d)) < 0 &&
+          orient2d(at(c), at(d), at(a)) * orient2d(at(c), at(d), at(b)) < 0)
+        return std::nullopt;
+    }
+  }
+  if (touching > 1) return std::nullopt;
+  for (std::size_t h = 0; h < holes; ++h) {
+    // A corner that doesn't touch: rays to the right cross an odd number of the outline's edges, and an even
+    // number of each hole's
+    std::size_t corner = outline_corners + h * hole_corners;
+    if (std::ranges::count(r.points, at(corner)) > 1) ++corner;
+    std::array<int, 1 + holes> crossed{};
+    for (std::size_t e = 0; e < all_corners; ++e) {
+      const auto [a, b] = r.edges[e];
+      const std::size_t ring = e < outline_corners ? 0 : 1 + (e - outline_corners) / hole_corners;
+      const bool up = at(b).y > at(a).y, spans = (at(a).y > at(corner).y) != (at(b).y > at(corner).y);
+      if (ring != h + 1 && spans && (orient2d(at(a), at(b), at(corner)) > 0) == up) ++crossed[ring];
+    }
+    if (crossed[0] % 2 == 0 ||
+        std::ranges::any_of(crossed.begin() + 1, crossed.end(), [](int n) { return n % 2; }))
+      return std::nullopt;
+  }
+  return touching;
+}
+
+/// Triangles without one that turns round, whose sides add up to those of the rings, cover the inside once:
+/// the sums of turns of areas say the same of their size.
+double holes_error(const Input& i) {
+  const Region region = region_in(i);
+  const bool taken = std::ranges::all_of(region.points, [](dvec2 p) { return is_finite(p); });
+  std::vector<Triangle> triangles;
+  try {
+    ear_clipping::triangulate_with_holes(std::span<const dvec2>(region.points), region.rings,
+                                         [&](const Triangle& t) { triangles.push_back(t); });
+    if (!taken) return wrong;
+  } catch (const ContractViolation&) {
+    return taken && touching(region) ? wrong : 0;
+  }
+  const std::optional<int> touches = touching(region);
+  if (!touches) return 0;
+  if (std::ssize(triangles) != static_cast<std::ptrdiff_t>(all_corners + 2 * holes) - 2 - 2 * *touches)
+    return wrong;
+  Fraction sum = 0, whole = 0;
+  for (const Triangle& t : triangles) {
+    Points three;
+    for (const int corner : t) three.push_back(region.points[static_cast<std::size_t>(corner)]);
+    const Fraction area = test::exact_area(three);
+    if (area < 0) return wrong;
+    sum += area;
+  }
+  for (std::size_t ring = 0; ring < region.rings.size(); ++ring) {
+    Points points;
+    for (const std::int32_t corner : region.rings[ring])
+      points.push_back(region.points[static_cast<std::size_t>(corner)]);
+    const Fraction area = abs(test::exact_area(points));
+    whole += ring == 0 ? area : Fraction(-area);
+  }
+  return sum == whole ? 0 : wrong;
+}
+
 /// A trap with its number of corners before them.
 template <std::size_t axes>
 Trap trap(const char* name, Input corners) {
@@ -273,6 +417,23 @@ Domain ear_clipping() {
         .shares = {flat_share("simple", 0.5,
                               [](const Points& p) { return !polygon_circle::meeting_edges(p); }),
                    flat_share("a reflex corner", 0.5, has_reflex_corner)}},
+       {.name = "widest_ear",
+        .states = "the same of the widest ears",
+        .unit = "wrong",
+        .bound = 0,
+        .numbers = 1 + 2 * most_corners,
+        .generate = at_every_scale(flat_input, lengths(2)),
+        .error = widest_error},
+       {.name = "triangulate_with_holes",
+        .states =
+            "three holes: n + 2h - 2 triangles cover the inside exactly once, two fewer where one touches",
+        .unit = "wrong",
+        .bound = 0,
+        .numbers = 2 * all_corners,
+        .generate = at_every_scale(holes_input),
+        .error = holes_error,
+        .shares = {{"apart", 0.3, [](const Input& i) { return touching(region_in(i)) == 0; }},
+                   {"touching", 0.02, [](const Input& i) { return touching(region_in(i)) == 1; }}}},
        {.name = "triangulate_in_space",
         .states = "the same of its largest shadow along an axis, whose turn is exact",
         .unit = "of rounding",
