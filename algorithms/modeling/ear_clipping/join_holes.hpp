@@ -116,7 +116,7 @@ class GrowingRing {
     return std::nullopt;
   }
   /// A bridge from the first corner of the last hole.
-  Join bridge(const std::vector<Hole>& holes, int end) const {
+  Join bridge_to(int end, const std::vector<Hole>& holes) const {
     const int corner = holes.back().corners[0];
     const std::size_t place = place_of(end, corner);
     return {holes.size() - 1, place, Joint::bridge, corner, way(holes.back(), 0, place, Joint::bridge)};
@@ -242,7 +242,7 @@ Join bridge(const GrowingRing<T>& R, const std::vector<Hole>& H, O&& observer = 
       v = c;
     }
   }
-  return R.bridge(H, v);
+  return R.bridge_to(v, H);
 }
 
 /// Makes one ring of an outline and the holes in it, so that triangulate can cut it. From the rightmost
