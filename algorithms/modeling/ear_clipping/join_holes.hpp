@@ -212,10 +212,12 @@ class GrowingRing {
 template <class T>
 std::vector<Hole> holes_of(std::span<const glm::vec<2, T>> points, const Faces& rings) {
   std::vector<Hole> holes;
-  for (std::size_t i = rings.size(); i-- > 1;)
+  for (std::size_t i = 1; i < rings.size(); ++i)
     holes.push_back({static_cast<int>(i), from_rightmost(points, rings[i], true)});
   const auto reach = [&](const Hole& hole) { return points[static_cast<std::size_t>(hole.corners[0])].x; };
-  std::ranges::stable_sort(holes, [&](const Hole& a, const Hole& b) { return reach(a) < reach(b); });
+  std::ranges::sort(holes, [&](const Hole& a, const Hole& b) {
+    return reach(a) < reach(b) || (reach(a) == reach(b) && a.number > b.number);
+  });
   return holes;
 }
 

@@ -124,7 +124,7 @@ class BridgeStory : public Past<steps::Started, EdgeMet, InTheWay, HoleJoined, A
     const dvec2 met{a.x + (m.y - a.y) / (b.y - a.y) * (b.x - a.x), m.y};
     const dvec2 hit = drawing_.panel().at(met);
     const InTheWay* way = now<InTheWay>();
-    gradus::add_ring(view, "d search", Role::candidate, {drawing_.at(e.corner), hit, drawing_.at(e.end)});
+    gradus::add_ring(view, "d search", Role::candidate, {drawing_.at(e.corner), hit, drawing_.at(e.end)}, 0);
     view.add({"e edge", Role::current, Stroke{drawing_.at(e.from), drawing_.at(e.to)}});
     view.add({"e ray", Role::measure, Stroke{drawing_.at(e.corner), hit, true}});
     if (way)
