@@ -184,10 +184,7 @@ constexpr auto convex = [](auto... run) { convex_only(run...); };
 const Checking& checking() {
   static const Checking known{
       .asked = {{.name = "ears", .same = SameList::order, .type = "Cut", .fields = {"corner"}},
-                {.name = "triangles",
-                 .same = SameList::set,
-                 .type = "Cut",
-                 .fields = {"before", "corner", "after"}}}};
+                {.name = "triangles", .same = SameList::set, .type = "Cut", .fields = {"triangle"}}}};
   return known;
 }
 

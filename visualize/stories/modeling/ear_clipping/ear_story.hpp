@@ -71,6 +71,7 @@ class EarStory : public Past<steps::Started, Tested, Cut, Finished> {
         .facts = {{"corner", corner_name(t[1])},
                   {"before", corner_name(t[0])},
                   {"after", corner_name(t[2])},
+                  {"triangle", names_of(sorted(t))},
                   {"left", std::int64_t{c.left}},
                   {"angle", smallest.angle}},
         .words = {{"triangle", names_of(t)}, {"size", degrees(smallest.angle)}, {"ears", ears_before_}},
@@ -167,6 +168,11 @@ class EarStory : public Past<steps::Started, Tested, Cut, Finished> {
   std::string name(int i) const { return corner_name(number(i)); }
   Triangle named(const Triangle& t) const { return {number(t[0]), number(t[1]), number(t[2])}; }
   Triangle named(const Tested& t) const { return named(Triangle{t.before, t.corner, t.after}); }
+  /// The corners in the order of their names: as answers are compared.
+  static Triangle sorted(Triangle t) {
+    std::ranges::sort(t);
+    return t;
+  }
   double smallest(const Tested& t) const { return smallest_in(subject_, named(t)).angle; }
 
   /// The number of the point that lies in a tested triangle, or -1.
