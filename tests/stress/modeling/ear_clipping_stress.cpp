@@ -289,6 +289,7 @@ Region region_in(const Input& i) {
 
 /// Whether edges meet at most in one corner of two rings, and all holes lie inside; how many touch.
 std::optional<int> touching(const Region& r) {
+  if (!is_taken(r.points)) return std::nullopt;
   const auto at = [&](std::size_t k) { return r.points[k]; };
   const auto on = [&](std::size_t a, std::size_t b, std::size_t p) {
     return orient2d(at(a), at(b), at(p)) == 0 &&
@@ -334,7 +335,7 @@ std::optional<int> touching(const Region& r) {
 /// the sums of turns of areas say the same of their size.
 double holes_error(const Input& i) {
   const Region region = region_in(i);
-  const bool taken = std::ranges::all_of(region.points, [](dvec2 p) { return is_finite(p); });
+  const bool taken = is_taken(region.points);
   std::vector<Triangle> triangles;
   try {
     ear_clipping::triangulate_with_holes(std::span<const dvec2>(region.points), region.rings,
@@ -432,8 +433,8 @@ Domain ear_clipping() {
         .numbers = 2 * all_corners,
         .generate = at_every_scale(holes_input),
         .error = holes_error,
-        .shares = {{"apart", 0.3, [](const Input& i) { return touching(region_in(i)) == 0; }},
-                   {"touching", 0.02, [](const Input& i) { return touching(region_in(i)) == 1; }}}},
+        .shares = {{"apart", 0.15, [](const Input& i) { return touching(region_in(i)) == 0; }},
+                   {"touching", 0.05, [](const Input& i) { return touching(region_in(i)) == 1; }}}},
        {.name = "triangulate_in_space",
         .states = "the same of its largest shadow along an axis, whose turn is exact",
         .unit = "of rounding",
