@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/shown.hpp"
+#include "scene/subdivided.hpp"
 
 namespace gradus::pipeline {
 namespace {
@@ -23,6 +25,16 @@ std::string reason_of(const Scene& scene, const ObjectPlan& plan) {
   if (plan.skipped == Rule::area_of_interest)
     return fmt::format("area of interest: {} of it", beyond_text(*plan.beyond));
   return fmt::format("hidden behind what is nearer, like {}", visible(object_at(scene, plan.behind).name));
+}
+
+/// How often an object was subdivided, and why not more often.
+std::string level_text(const Object& object) {
+  if (!object.subdivision) return "";
+  const auto& [control, most, level, longest] = *object.subdivision;
+  const bool fine = std::ldexp(longest, -level) <= fine_edge;
+  return fmt::format("subdivided to level {} of {}: {}", level, most,
+                     fine ? fmt::format("edges of at most {} pixels", fine_edge)
+                          : fmt::format("its edges may be longer than {} pixels", fine_edge));
 }
 
 Decision on_facing(const Scene& scene, const Object& object) {
@@ -90,7 +102,8 @@ std::vector<Decision> decisions_on(const Scene& scene, const Plan& plan, int num
     for (int stage = 1; stage <= object_stages; ++stage) decisions.push_back({stage, Work::skip, why});
     return decisions;
   }
-  for (int stage = 1; stage <= 3; ++stage) decisions.push_back({stage, Work::run});
+  decisions.push_back({1, Work::run, level_text(object)});
+  for (int stage = 2; stage <= 3; ++stage) decisions.push_back({stage, Work::run});
   decisions.push_back(on_facing(scene, object));
   decisions.push_back(on_clipping(planned));
   decisions.push_back({6, Work::run});

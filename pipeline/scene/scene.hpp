@@ -3,6 +3,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,14 @@
 
 namespace gradus::pipeline {
 
+/// That a mesh is made by subdividing another: see scene/subdivided.hpp.
+struct Subdivision {
+  std::shared_ptr<const Mesh> control;
+  int most = 0;        ///< levels that may be
+  int level = 0;       ///< that there are
+  double longest = 0;  ///< edge of the control mesh, in pixels of the pictures that were asked for
+};
+
 /// A mesh and where it stands.
 struct Object {
   std::string name;
@@ -22,6 +31,7 @@ struct Object {
   glm::dmat4 placement{1};   ///< object space to world space, affine
   bool two_sided = true;     ///< false: back faces are never seen and are removed
   bool see_through = false;  ///< some face lets light through: see draws_opacity
+  std::optional<Subdivision> subdivision{};
 };
 
 /// How a surface takes its colour from its texture (shading/texture_mapping).

@@ -21,6 +21,7 @@
 #include "scene/camera/projection_keys.hpp"
 #include "scene/decimal.hpp"
 #include "scene/located_json.hpp"
+#include "scene/subdivided.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
 namespace gradus::pipeline {
@@ -404,11 +405,12 @@ class SceneReader {
   }
 
   void take_object(const Found& at) {
-    values_.members(at, {"name", "model", "place", "instances", "two_sided", "material"});
+    values_.members(at, {"name", "model", "place", "instances", "two_sided", "material", "subdivide"});
     Object object = model_of(values_.needed(at, "model"));
     if (const auto name = Values::member(at, "name")) object.name = values_.text(*name, "a name");
     if (const auto sides = Values::member(at, "two_sided")) object.two_sided = values_.truth(*sides);
     if (const auto material = Values::member(at, "material")) cover(object, *material);
+    if (const auto levels = Values::member(at, "subdivide")) take_levels(object, *levels);
     const Placing placing(values_);
     const auto place = Values::member(at, "place"), instances = Values::member(at, "instances");
     if (place) object.placement = placing.read(*place);
@@ -420,6 +422,13 @@ class SceneReader {
       instance.placement = placing.read(one) * object.placement;
       add(one, std::move(instance));
     }
+  }
+
+  /// Makes the model a control mesh.
+  void take_levels(Object& object, const Found& at) const {
+    object.subdivision = Subdivision{object.mesh, values_.whole(at, 1, most_subdivisions)};
+    if (const auto problem = why_not_subdivided(*object.mesh))
+      values_.refuse(at, "a model that is a surface, to subdivide", *problem);
   }
 
   /// Refuses a place that leaves no body.

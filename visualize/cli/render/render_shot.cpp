@@ -15,6 +15,7 @@
 #include "request/names.hpp"
 #include "scene/camera/framing.hpp"
 #include "scene/camera/turntable.hpp"
+#include "scene/subdivided.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -166,6 +167,23 @@ Colophon colophon_of(const Shot& shot, const std::optional<FrameRange>& frames, 
           shot.brief.colophon.input_hash};
 }
 
+namespace {
+
+/// Subdivides control meshes as finely as the nearest of the shot's pictures needs it.
+template <class SeenAt>
+void subdivide_for(Shot& shot, const SeenAt& seen_at) {
+  const auto is_control_mesh = [](const pipeline::Object& object) { return object.subdivision.has_value(); };
+  if (!std::ranges::any_of(shot.scene.objects, is_control_mesh)) return;
+  std::vector<pipeline::SceneCamera> cameras{shot.scene.camera};
+  if (shot.wish.frames) {
+    for (int frame = shot.wish.frames->first; frame <= shot.wish.frames->last; ++frame)
+      cameras.push_back(camera_of(shot, seen_at(frame)));
+  }
+  pipeline::subdivide(shot.scene, cameras, shot.wish.size);
+}
+
+}  // namespace
+
 Shot read_shot(const Request& request, const FindFile& find) {
   Shot shot;
   shot.wish = read_wish(request.flags);
@@ -197,6 +215,7 @@ Shot read_shot(const Request& request, const FindFile& find) {
     shot.scene.lights = pipeline::default_lights(camera_of(shot, seen_at(lit)));
   }
   shot.scene.camera = camera_of(shot, seen_at(shown));
+  subdivide_for(shot, seen_at);
   shot.brief.colophon = colophon_of(shot, wish.frames, shot.scene.camera.frame.eye);
   return shot;
 }
