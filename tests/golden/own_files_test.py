@@ -132,6 +132,11 @@ def test_a_named_file_is_replaced_when_gradus_made_it():
         equal((result.code, result.out, result.err, read(name)), (2, "", refusal(name), b"mine"), f"somebody's {name}")
         equal(gradus(*LINE, *small, "-o", name, "--force").code, 0, "--force")
         equal(read(name), gradus(*LINE, *small, "-o", "-", "--format", ending).bytes, "replaced")
+    for ending in ("obj", "ply", "stl"):
+        cut = ("figure", "ear_clipping", "-o", f"cut.{ending}")
+        equal([gradus(*cut).code, gradus(*cut, "--polygon", "0,0 4,0 4,3").code], [0, 0], f"a surface as {ending}")
+        write(f"cut.{ending}", "mine")
+        equal(gradus(*cut).err, refusal(f"cut.{ending}"), f"somebody's {ending}")
     write("empty.svg", "")
     equal(gradus(*LINE, "-o", "empty.svg").code, 0, "an empty file holds nobody's work")
     equal(gradus(*LINE, "-o", "/dev/null", "--format", "svg").code, 0, "a device")

@@ -3,6 +3,7 @@
 
 #include "modeling/ear_clipping/ear_clipping.hpp"
 
+#include "core/faces.hpp"
 #include "core/record.hpp"
 #include "modeling/ear_clipping/ear_clipping_notes.hpp"
 #include "modeling/ear_clipping/join_holes.hpp"
@@ -116,9 +117,29 @@ void set_up(Narrator& narrator, const Drawing& drawing, std::string_view paramet
   narrator.paper(paper_width, paper_height);
   narrator.handles(parameter, shown_in(drawing.panel()));
 }
-void finish(Narrator& narrator, std::size_t corners) {
-  narrator.result({{"triangles", static_cast<std::int64_t>(corners) - 2}});
-}
+/// The triangles of a ring as a surface in the plane z = 0.
+class Triangles {
+ public:
+  Triangles(const Subject& subject, const std::vector<int>& ring) : subject_(subject), ring_(ring) {}
+
+  /// Adds one by the places of its corners in the ring. Where a bridge leads to and fro it may be a line.
+  void operator()(const Triangle& triangle) {
+    std::array<std::int32_t, 3> t{};
+    for (std::size_t i = 0; i < 3; ++i) t[i] = ring_[static_cast<std::size_t>(triangle[i])];
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) faces_.add(t);
+  }
+  void become_result_of(Narrator& narrator) const {
+    std::vector<dvec3> points;
+    for (const dvec2 p : subject_.points) points.emplace_back(p, 0);
+    narrator.result(points, faces_);
+    narrator.result({{"triangles", std::ssize(ring_) - 2}});
+  }
+
+ private:
+  const Subject& subject_;
+  const std::vector<int>& ring_;
+  Faces faces_{};
+};
 
 template <Choice choice, auto cut>
 void tell_ears(Narrator& narrator) {
@@ -138,8 +159,9 @@ void tell_ears(Narrator& narrator) {
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   const Points places = subject.places(subject.rings[0]);
-  cut(std::span<const dvec2>(places), [](const Triangle&) {}, watch);
-  finish(narrator, places.size());
+  Triangles triangles(subject, subject.rings[0]);
+  cut(std::span<const dvec2>(places), std::ref(triangles), watch);
+  triangles.become_result_of(narrator);
 }
 
 void tell_holes(Narrator& narrator) {
@@ -173,8 +195,9 @@ void tell_holes(Narrator& narrator) {
   auto watch_ears = narrator.watcher(ears);
   auto told = only<Cut, Finished>(watch_ears);
   const Points places = subject.places(ring);
-  triangulate(std::span<const dvec2>(places), [](const Triangle&) {}, told);
-  finish(narrator, ring.size());
+  Triangles triangles(subject, ring);
+  triangulate(std::span<const dvec2>(places), std::ref(triangles), told);
+  triangles.become_result_of(narrator);
 }
 
 constexpr auto first = [](auto... run) { triangulate(run...); };

@@ -361,6 +361,7 @@ void tell_vertex(Narrator& narrator) {
   watch(steps::Started{}, 0);
   for (int k = 1; k <= subject.levels; ++k) level_of<way>(story.level(k - 1), k, of_vertex);
   const Control& last = story.level(subject.levels);
+  narrator.result(last.points, last.faces);
   narrator.result(
       {{"vertices", std::ssize(last.points)}, {"faces", static_cast<std::int64_t>(last.faces.size())}});
 }
@@ -380,6 +381,7 @@ void tell_levels(Narrator& narrator) {
   };
   watch(steps::Started{}, 0);
   const Control last = catmull_clark(subject.mesh, subject.levels, levels_alone);
+  narrator.result(last.points, last.faces);
   narrator.result(
       {{"vertices", std::ssize(last.points)}, {"faces", static_cast<std::int64_t>(last.faces.size())}});
 }
