@@ -36,10 +36,13 @@ void tell_half_edges(Narrator& narrator) {
   const Task task = task_of(narrator.arguments());
   const MeshDrawing drawing(task.subject, task.edges);
   set_up(narrator, task, drawing);
-  narrator.list("half_edges");
-  narrator.list_below(task.query == Query::vertex ? "faces_at"
-                      : task.query == Query::edge ? "face_across"
-                                                  : "edges_round");
+  // Of the fault what differs
+  if (narrator.method().standing != Standing::faulty) {
+    narrator.list("half_edges");
+    narrator.list_below(task.query == Query::vertex ? "faces_at"
+                        : task.query == Query::edge ? "face_across"
+                                                    : "edges_round");
+  }
   narrator.columns({{"half", false}, {"face", false}, {"twin", false}, {"next", false}, {"found", false}});
   narrator.legend({{Role::current, "half"},
                    {Role::candidate, "twin"},
@@ -55,7 +58,7 @@ void tell_half_edges(Narrator& narrator) {
   if (mesh && task.query == Query::edge) face_across(*mesh, task.side().corner, watch);
   if (mesh && task.query == Query::boundary && mesh->loops.size() > 0)
     edges_round(*mesh, mesh->loops[task.number], drop, watch);
-  watch(steps::Finished{}, 0);
+  watch(steps::Finished{}, story.found().records > 0 ? narrator.last_line() : 0);
   narrator.result(
       {{"faces", story.found().names()}, {"records", static_cast<std::int64_t>(story.found().records)}});
 }
