@@ -75,13 +75,10 @@ class Drawing {
     return mapped(numbers, [this](int number) { return at(number); });
   }
 
-  /// The inside of all rings, and their lines, which later ones cover.
+  /// The inside of all rings.
   void add_input(View& view) const {
     Area inside{{}, 1};
-    for (std::size_t i = 0; i < subject_.rings.size(); ++i) {
-      inside.rings.push_back(at(subject_.rings[i]));
-      view.add({fmt::format("b ring {}", i), Role::past, Path{inside.rings.back(), true}});
-    }
+    for (const std::vector<int>& ring : subject_.rings) inside.rings.push_back(at(ring));
     view.add({"a inside", Role::past, std::move(inside)});
   }
   void add_ring(View& view, const std::string& id, Role role, const std::vector<int>& ring) const {
@@ -103,6 +100,12 @@ class Drawing {
     const std::vector<dvec2> ring{at(t[0]), at(t[1]), at(t[2])};
     view.add({id + " inside", Role::result, Area{{ring}, 2}});
     view.add({id, Role::past, Path{ring, true}});
+  }
+  /// One of the result: its sides are lines of their own, since those of slivers, joined, end in long points.
+  void add_result(View& view, const std::string& id, const Triangle& t) const {
+    view.add({id + " inside", Role::result, Area{{{at(t[0]), at(t[1]), at(t[2])}}, 2}});
+    for (std::size_t i = 0; i < 3; ++i)
+      view.add({fmt::format("{} side {}", id, i), Role::result, Stroke{at(t[i]), at(t[(i + 1) % 3])}});
   }
   /// A text in a triangle; false where there is no room.
   bool add_text(View& view, const std::string& id, Role role, const Triangle& t,

@@ -77,7 +77,10 @@ class EarStory : public Past<steps::Started, Tested, Cut, Finished> {
         .words = {{"triangle", names_of(t)}, {"size", degrees(smallest.angle)}, {"ears", ears_before_}},
         .row = {corner_name(t[1]), names_of(t), words_.say("is.cut"), degrees(smallest.angle)},
         .key = corner_name(t[1])};
-    if (choice_ == Choice::of_joined) event.phase = words_.say("phase.ears");
+    if (choice_ == Choice::of_joined) {
+      event.phase = words_.say("phase.ears");
+      event.row.clear();  // the table is that of the bridges
+    }
     return event;
   }
   Event say(const Finished& f) const {
@@ -121,7 +124,7 @@ class EarStory : public Past<steps::Started, Tested, Cut, Finished> {
       else if (turns_round(cuts[i]))
         drawing_.add_triangle(view, "d turned " + id, Role::rejected, t);
       else
-        drawing_.add_triangle(view, id, Role::result, t, 2);
+        drawing_.add_result(view, id, t);
       if (done && right)
         drawing_.add_text(view, fmt::format("t number {:02}", i), Role::result, t, fmt::format("{}", i + 1));
     }
