@@ -65,7 +65,6 @@ class EarStory : public Past<steps::Started, Tested, Cut, Finished> {
     Event event{
         .text = c.forced               ? "cut.forced"
                 : c.left == 2          ? "cut.last"
-                : ears_before_ == 1    ? "cut.only"
                 : choice_ == widest_of ? "cut.widest"
                                        : "cut",
         .facts = {{"corner", corner_name(t[1])},
