@@ -95,6 +95,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
                       {"point", short_place(s.point)},
                       {"middle", short_place(s.middle)},
                       {"sharp", s.sharp}},
+            .note = name,
             .row = {name, short_place(s.point)},
             .key = name,
             .phase = words_.say("phase.edges")};
@@ -119,6 +120,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
                       {"near", near},
                       {"far", far},
                       {"smooth", s.rule.smooth}},
+            .note = "S′",
             .row = {"S′", short_place(s.point)},
             .key = "S′",
             .phase = words_.say("phase.vertex"),
@@ -134,6 +136,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
             .words = {{"place", short_place(subject_.of(level))},
                       {"before", levels_[static_cast<std::size_t>(d.level) - 1].faces.size()},
                       {"right", subject_.mesh.faces.corners.size()}},
+            .note = words_.say("counts", {{"vertices", d.vertices}, {"faces", d.faces}}),
             .row = {words_.say("level", {{"level", d.level}}), short_place(subject_.of(level))},
             .key = fmt::format("{}", d.level),
             .phase = words_.say("phase.levels")};
