@@ -265,7 +265,7 @@ Surface<T> catmull_clark_level(const Surface<T>& mesh, int level = 1, O&& observ
 ///   vertex has faces. Coordinates of at most 2^1000; levels from 0 to 12 and at most 2^24 faces.
 /// Steps: per level FacePointFound for each face, EdgePointFound for each edge, VertexPointFound for each
 ///   vertex, LevelDone.
-/// Accuracy: each coordinate within (m + 12) u M and as many of the smallest subnormal numbers per level,
+/// Accuracy: each coordinate within 12 u M + m u M and as many of the smallest subnormal numbers per level,
 /// where
 ///   M is the largest coordinate, m the most corners of a face and u = 2^-53 in double.
 /// Cost: linear in the faces of the last level, but for sorting the edges of those before.
@@ -335,7 +335,7 @@ Surface<T> loop_level(const Surface<T>& mesh, int level = 1, O&& observer = {}) 
 ///
 /// Domain: as for catmull_clark; every face has three corners.
 /// Steps: per level EdgePointFound for each edge, VertexPointFound for each vertex, LevelDone.
-/// Accuracy: each coordinate within (n + 16) u M and as many of the smallest subnormal numbers per level,
+/// Accuracy: each coordinate within 16 u M + n u M and as many of the smallest subnormal numbers per level,
 /// where n
 ///   is the most edges of a vertex.
 /// Cost: as for catmull_clark.
@@ -361,7 +361,7 @@ Surface<T> loop(Surface<T> mesh, int levels, O&& observer = {}) {
 ///
 /// Domain: as catmull_clark with 1 level; what is sharp at the vertex is so for ever.
 /// Steps: LimitFound, NormalFound.
-/// Accuracy: the point within (m + 24) u M and as many of the smallest subnormal numbers; of the normal no
+/// Accuracy: the point within 24 u M + m u M and as many of the smallest subnormal numbers; of the normal no
 ///   bound, since it can be a difference of nearly equal products.
 /// Cost: a level of the whole mesh.
 /// Errors: ContractViolation outside the domain.
