@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/shown.hpp"
-#include "scene/subdivided.hpp"
+#include "plan/levels.hpp"
 
 namespace gradus::pipeline {
 namespace {

@@ -15,11 +15,11 @@
 
 namespace gradus::pipeline {
 
-/// That a mesh is made by subdividing another: see scene/subdivided.hpp.
+/// That a mesh is made by subdividing another: see plan/levels.hpp.
 struct Subdivision {
   std::shared_ptr<const Mesh> control;
   int most = 0;        ///< levels that may be
-  int level = 0;       ///< that there are
+  int level = 0;       ///< of the mesh
   double longest = 0;  ///< edge of the control mesh, in pixels of the pictures that were asked for
 };
 

@@ -21,7 +21,7 @@
 #include "scene/camera/projection_keys.hpp"
 #include "scene/decimal.hpp"
 #include "scene/located_json.hpp"
-#include "scene/subdivided.hpp"
+#include "scene/models/subdivided.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
 namespace gradus::pipeline {

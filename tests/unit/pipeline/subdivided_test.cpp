@@ -1,6 +1,6 @@
 // Objects that are subdivided: what their faces inherit, and how fine they are.
 
-#include "scene/subdivided.hpp"
+#include "scene/models/subdivided.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +15,7 @@
 
 #include "core/refusal.hpp"
 #include "plan/decisions.hpp"
+#include "plan/levels.hpp"
 #include "plan/plan.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "scene/scene_file.hpp"
@@ -70,7 +71,8 @@ TEST(Subdivided, FacesInheritMaterialAndTexture) {
 TEST(Subdivided, ACubeOnceHasTheKnownPoints) {
   const Mesh fine = subdivided(cube(), 1);
   EXPECT_EQ(fine.positions.size(), 26u);
-  EXPECT_NEAR(fine.positions[0].x, -5.0 / 9, 1e-15);
+  for (std::size_t i = 0; i < 8; ++i)
+    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(std::abs(fine.positions[i][axis]), 5.0 / 9, 1e-15);
 }
 
 /// A cube in front of a camera.
@@ -173,7 +175,15 @@ TEST(Subdivided, ScenesSayHowOften) {
   EXPECT_THAT(refusal_of(two_faces, "7"),
               HasSubstr("s.json:1: /objects/0/subdivide: expected a whole number from 1 to 6, found 7"));
   EXPECT_THAT(refusal_of(two_faces + "f 1 3 5\n", "2"),
-              HasSubstr("/objects/0/subdivide: expected a model that is a surface, to subdivide, found "));
+              HasSubstr("/objects/0/subdivide: expected a model that is a surface, to subdivide, found an "
+                        "edge of 3 faces"));
+  EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 3 1 4 \n", "2"), testing::IsEmpty());
+  EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3 \n", "2"),
+              HasSubstr("two faces that run along an edge the same way"));
+  EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 1 3\n", "2"),
+              HasSubstr("a face that has a corner twice"));
+  EXPECT_THAT(refusal_of("v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nf 1 2 3\nf 1 4 5\n", "2"),
+              HasSubstr("faces that meet in a corner alone"));
 }
 
 }  // namespace

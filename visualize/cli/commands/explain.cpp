@@ -19,6 +19,7 @@
 #include "core/shown.hpp"
 #include "pipeline.hpp"
 #include "plan/decisions.hpp"
+#include "plan/levels.hpp"
 #include "plan/planned.hpp"
 #include "plan/spared.hpp"
 #include "plot/heat_map.hpp"
@@ -157,7 +158,7 @@ std::string plan_json(const std::string& name, const Scene& scene, const Plan& p
     objects.push_back(json_object({{"number", 0, number(i)},
                                    {"name", 0, json_text(object_at(scene, i).name)},
                                    {"triangles", 0, number(triangle_count(*object_at(scene, i).mesh))},
-                                   {"level", 0, number(level_of(object_at(scene, i)))},
+                                   {"level", 0, number(pipeline::level_of(object_at(scene, i)))},
                                    {"lights", 0, json_list(std::move(lights))},
                                    {"stages", 0, json_list(std::move(stages))}}));
   }

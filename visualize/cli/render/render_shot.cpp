@@ -11,11 +11,11 @@
 #include "core/colour.hpp"
 #include "engine/engine.hpp"
 #include "pipeline.hpp"
+#include "plan/levels.hpp"
 #include "plan/planned.hpp"
 #include "request/names.hpp"
 #include "scene/camera/framing.hpp"
 #include "scene/camera/turntable.hpp"
-#include "scene/subdivided.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
