@@ -36,9 +36,9 @@ const Flag trace{
     "beside somebody's own answer: results.json, results.json#CASE of several, or a table like mine.csv "
     "with a pixel x,y per line; shows where it first differs"};
 const Flag force{"force", 'f', "", "replaces a file also when gradus did not make it"};
-const Flag format{
-    "format", 0, "NAME",
-    "svg, png, pdf, pptx, html, csv, md, tex, json, txt, gif, mp4, webp, obj, ply or stl; default: by the file's ending"};
+const Flag format{"format", 0, "NAME",
+                  "svg, png, pdf, pptx, html, csv, md, tex, json, txt, gif, mp4, webp, obj, ply or stl; "
+                  "default: by the file's ending"};
 
 /// How texts are worded.
 const std::vector<Flag> words{

@@ -405,14 +405,24 @@ class LectureReader : LectureValues {
   // --- Names
 
   /// Copies of input files lie beside the part's own files, which begin with its name.
-  static std::string input_called(const std::string& name, const LecturePart& part) {
+  std::string input_called(const std::string& name, const LecturePart& part) const {
     for (const std::string& path : part.copies) {
       const std::string file = base_of(path), stem = lowered(fs::path(path).stem().string());
-      if (format_by_ending(file) && (stem == lowered(name) || stem.starts_with(lowered(name) + "-"))) {
+      const auto format = format_by_ending(file);
+      if (format && may_make(part, *format) &&
+          (stem == lowered(name) || stem.starts_with(lowered(name) + "-"))) {
         return file;
       }
     }
     return "";
+  }
+
+  /// Models are made by figures that ask for them alone.
+  bool may_make(const LecturePart& part, Format format) const {
+    const auto figure = std::ranges::find(lecture_.figures, &part,
+                                          [](const LectureFigure& f) -> const LecturePart* { return &f; });
+    return !is_model(format) ||
+           (figure != lecture_.figures.end() && std::ranges::count(figure->outputs, format) > 0);
   }
 
   using Owners = std::map<std::string, const LecturePart*>;  ///< by name, in lower case
@@ -452,8 +462,8 @@ class LectureReader : LectureValues {
   }
 
   /// `base`, then with "_2", "_3", …; `taken`: up to this number each has an owner.
-  static std::string free_name(const LecturePart& part, const std::string& base, const Owners& owners,
-                               int& taken) {
+  std::string free_name(const LecturePart& part, const std::string& base, const Owners& owners,
+                        int& taken) const {
     for (int number = taken + 1;; ++number) {
       std::string name = number == 1 ? base : fmt::format("{}_{}", base, number);
       const bool is_taken = owners.contains(lowered(name));
