@@ -20,7 +20,9 @@ void search_faces_at(const Faces& faces, Index v, Take&& take, O&& observer = {}
   for (Index f = 0; f < n; ++f) {
     auto ring = ring_of(faces, f);
     const bool found = has(ring, v);
-    if (found) take(f);
+    if (found) {
+      take(f);
+    }
     if constexpr (observed<O>) observer(Searched{f, found});
   }
 }

@@ -82,7 +82,9 @@ void winged_faces_at(const WingedEdges& mesh, Index v, Take&& take, O&& observer
         f = w.right;
         next = w.left_next;
       }
-      if (f != none) take(f);
+      if (f != none) {
+        take(f);
+      }
       if constexpr (observed<O>) observer(WingTurned{e, next, f, next == start});
       e = next;
     } while (e != start);
@@ -113,7 +115,9 @@ template <Observer<WingCrossed> O = Unobserved>
 Index winged_face_across(const WingedEdges& mesh, Index e, Index f, O&& observer = {}) {
   const WingedEdge& w = mesh[e];
   Index face = w.right;
-  if (face == f) face = w.left;
+  if (face == f) {
+    face = w.left;
+  }
   if constexpr (observed<O>) observer(WingCrossed{e, face});
   return face;
 }

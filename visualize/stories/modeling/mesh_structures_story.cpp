@@ -73,7 +73,7 @@ void tell_winged(Narrator& narrator) {
                                             : "winged_edges_round",
                 "winged_edge.hpp");
   narrator.columns({{"edge", false}, {"left", false}, {"right", false}, {"next", false}, {"found", false}});
-  narrator.legend({{Role::current, "edge"}, {Role::measure, "next"}, {Role::accepted, "found"}});
+  narrator.legend({{Role::current, "edge"}, {Role::candidate, "next"}, {Role::accepted, "found"}});
   const WingedEdges mesh = winged_edges(*task.mesh);
   WingedStory story(narrator.words(), task, mesh, drawing);
   const auto watch = narrator.watcher(story);
@@ -93,7 +93,7 @@ void tell_search(Narrator& narrator) {
   set_up(narrator, task, drawing);
   narrator.list(task.query == Query::edge ? "search_face_across" : "search_faces_at", "face_vertex.hpp");
   narrator.columns({{"face", false}, {"ring", false}, {"has", false}});
-  narrator.legend({{Role::accepted, "found"}, {Role::rejected, "without"}});
+  narrator.legend({{Role::current, "face"}, {Role::accepted, "found"}});
   SearchStory story(narrator.words(), task, drawing);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);

@@ -46,7 +46,7 @@ class MeshDrawing {
       for (const auto& [v, p] : subject.loose) extent.add(readers_.back().flat(p));
       extent = widened(extent, subject.closed ? 0.04 : 0.12);
       const double left = k == 0 ? 1.5 : 19, right = views == 1 ? 34.5 : left + 15.5;
-      panels_.emplace_back(Extent{{left, 2}, {right, 25}}, extent);
+      panels_.emplace_back(Extent{{left, 1.8}, {right, 25.2}}, extent);
       lines_.emplace_back(rings, distant_viewer(readers_.back().towards), bounds.radius());
     }
   }
@@ -77,7 +77,9 @@ class MeshDrawing {
                               .role = plain ? Role::guide : found->second,
                               .ring = part,
                               .one_sided = false,
-                              .shade = plain ? 1 : 2});
+                              .shade = plain                             ? 1
+                                       : found->second == Role::rejected ? 3
+                                                                         : 2});
     }
     for (Index e = 0; e < edges_.size(); ++e) {
       for (const Side& s : edges_[e].first(subject_.cut_open ? edges_[e].size() : 1))
@@ -108,6 +110,7 @@ class MeshDrawing {
                           .b = b,
                           .arrow = true,
                           .dashed = arrow.dashed,
+                          .thin = arrow.role == Role::measure,
                           .behind = false});
   }
 

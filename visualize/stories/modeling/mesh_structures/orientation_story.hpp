@@ -35,9 +35,10 @@ class SpreadStory : public Past<steps::Started, Seeded, Demanded, steps::Finishe
                [&](std::string_view key) { return words_.say("outcome." + std::string(key)); });
     const bool same = is_turned(d.from) != d.turned;
     const std::string sense = words_.say(d.turned ? "sense.turned" : "sense.kept");
-    TextKey text = "demanded." + std::string(keys[outcome]);
-    if (d.outcome == Outcome::reached || d.outcome == Outcome::conflicts)
-      text += d.turned ? ".turned" : ".kept";
+    const std::string way = d.turned ? "turned" : "kept";
+    const TextKey text = d.outcome == Outcome::reached     ? "demanded.reached." + way
+                         : d.outcome == Outcome::conflicts ? "demanded.conflicts." + way
+                                                           : "demanded." + std::string(keys[outcome]);
     return {
         .text = text,
         .facts = {{"turned", d.turned}},

@@ -64,7 +64,7 @@ class WingedStory : public Past<steps::Started, WingTurned, WingFollowed, WingCr
       for (const auto& [wing, key] :
            {std::pair(w.left_before, "wing.left_before"), std::pair(w.left_next, "wing.left_next"),
             std::pair(w.right_before, "wing.right_before"), std::pair(w.right_next, "wing.right_next")}) {
-        add_edge(marks, wing, Role::measure);
+        add_edge(marks, wing, Role::candidate);
         marks.side_names.push_back({task_.edges[wing][0].corner, words_.say(key)});
       }
     }
@@ -95,7 +95,7 @@ class WingedStory : public Past<steps::Started, WingTurned, WingFollowed, WingCr
     for (const Side& s : task_.edges[e]) marks.sides.push_back({s.corner, role});
   }
   void add_walk(Marks& marks, Index e, Index next) const {
-    add_edge(marks, next, Role::measure);
+    add_edge(marks, next, Role::candidate);
     add_edge(marks, e, Role::current);
   }
 
@@ -143,10 +143,13 @@ class SearchStory : public Past<steps::Started, Searched, steps::Finished> {
   View draw() const {
     Marks marks;
     for (const Searched& s : all<Searched>())
-      marks.faces[s.face] = !s.found                 ? Role::rejected
-                            : now<steps::Finished>() ? Role::result
-                                                     : Role::accepted;
-    if (const auto* s = now<Searched>(); s && s->found) marks.faces[s->face] = Role::current;
+      if (s.found) marks.faces[s.face] = now<steps::Finished>() ? Role::result : Role::accepted;
+    if (const auto* s = now<Searched>()) {
+      marks.faces[s->face] = Role::current;
+      const auto f = static_cast<std::size_t>(s->face);
+      for (Index c = task_.subject.faces.first[f]; c < task_.subject.faces.first[f + 1]; ++c)
+        marks.sides.push_back({c, Role::current});
+    }
     mark_question(marks, task_);
     return drawing_.draw(marks);
   }
