@@ -178,6 +178,7 @@ void tell_holes(Narrator& narrator) {
                    {Role::current, "now"},
                    {Role::rejected, "blocked"},
                    {Role::result, "bridges"}});
+  narrator.trace().legend[4].sample = Sample::dot;  // its corners have names
   narrator.list("bridge", "join_holes.hpp");
   narrator.list_below("join_holes");
   Faces rings;

@@ -72,7 +72,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
                       {"place", subject_.of(subject_.mesh)},
                       {"edges", star().edges.size()},
                       {"faces", star().faces.size()}},
-            .row = {"S", short_place(subject_.of(subject_.mesh))}};
+            .row = {words_.symbol("S"), short_place(subject_.of(subject_.mesh))}};
   }
   Event say(const FacePointFound<double>& s) const {
     const std::string name = fmt::format("F{}", all<FacePointFound<double>>().size());
@@ -120,8 +120,8 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
                       {"near", near},
                       {"far", far},
                       {"smooth", s.rule.smooth}},
-            .note = "S′",
-            .row = {"S′", short_place(s.point)},
+            .note = moved(),
+            .row = {moved(), short_place(s.point)},
             .key = "S′",
             .phase = words_.say("phase.vertex"),
             .decides = Decision{words_.say("question"), answers, kind, branches[kind]}};
@@ -165,7 +165,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
       if (way_ != Way::loop && v->rule.smooth == 1)
         add_means(view, *v);
       else
-        add_sum(view, at(v->vertex), "S′", v->point, Role::current);
+        add_sum(view, at(v->vertex), moved(), v->point, Role::current);
     } else if (done) {
       add_weights(view, at(subject_.vertex), Role::current);
       add_course(view, done->level);
@@ -286,14 +286,17 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
     if (terms.size() > most) add_line(view, line++, Role::past, "…");
     add_line(view, line, role, fmt::format("{} = {}", name, short_place(sum)));
   }
+  /// S'.
+  std::string moved() const { return words_.symbol("S") + "′"; }
   void add_means(View& view, const VertexPointFound<double>& s) const {
-    add_line(view, 0, Role::accepted, "Q = " + short_place(s.faces));
-    add_line(view, 1, Role::measure, "R = " + short_place(s.middles));
-    add_line(view, 2, Role::current, "S = " + short_place(s.from));
+    const std::string Q = words_.symbol("Q"), R = words_.symbol("R"), S = words_.symbol("S");
+    add_line(view, 0, Role::accepted, fmt::format("{} = {}", Q, short_place(s.faces)));
+    add_line(view, 1, Role::measure, fmt::format("{} = {}", R, short_place(s.middles)));
+    add_line(view, 2, Role::current, fmt::format("{} = {}", S, short_place(s.from)));
     const auto n = static_cast<int>(star().edges.size());
     const std::string own =
-        n == 3 ? "" : fmt::format(" {} {}S", n > 3 ? "+" : "−", n > 4 ? fmt::format("{}", n - 3) : "");
-    add_line(view, 3, Role::current, fmt::format("S′ = (Q + 2R{}) / {}", own, n));
+        n == 3 ? "" : fmt::format(" {} {}{}", n > 3 ? "+" : "−", n > 4 ? fmt::format("{}", n - 3) : "", S);
+    add_line(view, 3, Role::current, fmt::format("{} = ({} + 2{}{}) / {}", moved(), Q, R, own, n));
     add_line(view, 4, Role::current, fmt::format("= {}", short_place(s.point)));
     if (!links_.fades(star()))
       add_line(view, 5, Role::result,

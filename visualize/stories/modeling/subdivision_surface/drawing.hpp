@@ -22,8 +22,8 @@ inline constexpr int paper_width = 36, paper_height = 27;
 inline constexpr std::array<Extent, 3> places{
     {{{0.2, 13.6}, {11.8, 27}}, {{12.2, 13.6}, {23.8, 27}}, {{24.2, 13.6}, {35.8, 27}}}};
 /// Below them a star on the left,
-inline constexpr dvec2 star_centre{8, 6.6};
-inline constexpr double star_radius = 4.3;
+inline constexpr dvec2 star_centre{8, 6.5};
+inline constexpr double star_radius = 4.8;
 /// and on the right lines of text, from 0 on.
 inline void add_line(View& view, int line, Role role, std::string text) {
   view.add({fmt::format("y {:02}", line), role,
@@ -69,7 +69,9 @@ class LevelPictures {
 
  private:
   /// Below the heading.
-  Panel panel(const Extent& place) const { return Panel({place.lower, place.upper - dvec2{0, 3}}, extent_); }
+  Panel panel(const Extent& place) const {
+    return Panel({place.lower, place.upper - dvec2{0, 2.6}}, extent_);
+  }
   static std::vector<dvec3> ring_of(const Control& mesh, std::size_t f) {
     std::vector<dvec3> ring;
     for (const auto v : mesh.faces[f]) ring.push_back(mesh.points[static_cast<std::size_t>(v)]);

@@ -37,7 +37,7 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
   Event say(const steps::Started&) const {
     return {.text = "limit.started",
             .words = {{"vertex", subject_.vertex + 1}, {"edges", star_.star().edges.size()}},
-            .row = {"S", short_place(subject_.of(levels_[0]))}};
+            .row = {words_.symbol("S"), short_place(subject_.of(levels_[0]))}};
   }
   Event say(const LimitFound<double>& s) const {
     const auto [own, near, far] = parts();
@@ -111,12 +111,13 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
     }
   }
   void add_sum(View& view, const LimitFound<double>& s) const {
-    add_line(view, 0, Role::current, "S′ = " + short_place(s.vertex_point));
+    add_line(view, 0, Role::current,
+             fmt::format("{}′ = {}", words_.symbol("S"), short_place(s.vertex_point)));
     const auto n = static_cast<int>(s.valence);
     if (rule_.smooth == 1) {
       add_line(view, 1, Role::measure, "E = " + short_place(s.edge_points));
       add_line(view, 2, Role::accepted, "F = " + short_place(s.face_points));
-      add_line(view, 3, Role::result, fmt::format("({}S′ + 4E + F) / {}", n, n + 5));
+      add_line(view, 3, Role::result, fmt::format("({}{}′ + 4E + F) / {}", n, words_.symbol("S"), n + 5));
     }
     add_line(view, 4, Role::result, "= " + short_place(s.point));
   }
