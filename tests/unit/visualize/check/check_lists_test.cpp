@@ -77,6 +77,19 @@ bool plots_the_same(const List& ours, const List& theirs) {
   return picture(ours) == picture(theirs);
 }
 
+/// The things that are named, however often.
+bool names_the_same(const List& ours, const List& theirs) {
+  const auto names = [](const List& list) {
+    std::set<std::string> all;
+    for (const Element& element : list) all.insert(json_of(List{element}));
+    return all;
+  };
+  return names(ours) == names(theirs);
+}
+
+/// Each in its place.
+bool is_in_order(const List& ours, const List& theirs) { return json_of(ours) == json_of(theirs); }
+
 /// The places inside, by 41 x 41 of them between the corners' bounds.
 bool encloses_the_same(const List& ours, const List& theirs) {
   std::vector<dvec2> a, b;
@@ -234,6 +247,11 @@ std::vector<Row> table() {
        "corners",
        {{"polygon", "-2,1 6,1.5 8,7 2,3"}, {"window", "0,0,7,9"}},
        encloses_the_same},
+      {"ear_clipping", "ears", {{"polygon", "0,0 8,0 4,3 8,6 0,6"}}, is_in_order},
+      {"ear_clipping", "triangles", {{"polygon", "0,0 8,0 4,3 8,6 0,6"}}, names_the_same},
+      {"mesh_structures", "faces", {}, names_the_same},
+      {"mesh_structures", "half_edges", {{"query", "face"}}, is_in_order},
+      {"bezier_curve", "points", {}, is_in_order},
       {"back_face_culling", "signs", {}, are_the_signs_of_a_cube},
       {"painter",
        "order",
