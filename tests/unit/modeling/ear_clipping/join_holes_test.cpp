@@ -128,7 +128,7 @@ TEST(EarClippingHoles, TouchingOnesNeedNoBridge) {
   expect_covered({{{0, 0}, {6, 0}, {7, 4}, {8, 0}, {12, 0}, {12, 12}, {0, 12}}, {{5, 4}, {9, 4}, {7, 8}}}, 9,
                  true);
   const Points one{{2, 2}, {5, 5}, {2, 5}}, other{{5, 5}, {8, 5}, {8, 8}}, third{{8, 6}, {10, 6}, {10, 9}};
-  expect_covered({square, one, other}, 10);                // each other
+  expect_covered({square, one, other}, 10);               // each other
   expect_covered({square, one, other, third}, 14, true);  // and an edge
 }
 
