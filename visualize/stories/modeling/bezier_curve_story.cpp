@@ -64,7 +64,8 @@ class RoundsStory : public Past<steps::Started, PointMixed, Reached<2, double>, 
                           {"point", m.point}},
                 .note = fmt::format("{} = {}", name, figure_place(m.point)),
                 .key = name,
-                .phase = words_.say("phase.round", {{"round", m.round}})};
+                .phase = words_.say("phase.round", {{"round", m.round}}),
+                .decides = nearer(m, name)};
     if (wrong && !(last && m.i == 0) && is_of_the_round(m)) event.text = "mixed.overwritten";
     if (last) {
       event.text = wrong                   ? "mixed.missed"
@@ -80,6 +81,14 @@ class RoundsStory : public Past<steps::Started, PointMixed, Reached<2, double>, 
     }
     put_row(event, m, name);
     return event;
+  }
+  /// Which weight belongs to which point is what is mixed up.
+  Decision nearer(const PointMixed& m, const std::string& name) const {
+    const std::size_t answer = subject_.t < 0.5 ? 0 : subject_.t > 0.5 ? 1 : 2;
+    return {words_.say("question.nearer", {{"name", name}}),
+            {name_of(m.round - 1, m.i), second_of(m), words_.say("neither")},
+            answer,
+            std::array{"first", "second", "middle"}[answer]};
   }
   Event say(const Reached<2, double>& r) const {
     Event event{.text = kind_ == Kind::overwritten ? "reached.missed" : "reached",
