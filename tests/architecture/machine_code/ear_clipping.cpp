@@ -17,6 +17,11 @@ extern "C" {
 [[gnu::flatten]] void machine_code_convex_only(const glm::dvec2* polygon, std::size_t count) {
   gradus::ear_clipping::convex_only(std::span<const glm::dvec2>(polygon, count), add_triangle);
 }
+[[gnu::flatten]] void machine_code_bridge(const gradus::ear_clipping::GrowingRing<double>& ring,
+                                          const std::vector<gradus::ear_clipping::Hole>& holes,
+                                          gradus::ear_clipping::Join& join) {
+  join = gradus::ear_clipping::bridge(ring, holes);
+}
 [[gnu::flatten]] void machine_code_join_holes(const glm::dvec2* points, std::size_t count,
                                               const gradus::Faces& rings, std::vector<int>& ring) {
   ring = gradus::ear_clipping::join_holes(std::span<const glm::dvec2>(points, count), rings);
