@@ -177,22 +177,25 @@ inline Subject shape_of(std::string_view name) {
 
 // --- Meshes that are given
 
-inline void check(const Faces& faces, const std::vector<dvec3>& places, std::string_view parameter) {
+inline void check(const Faces& faces, const std::vector<dvec3>& places, const Arguments& arguments,
+                  std::initializer_list<std::string_view> parameters) {
   const std::size_t vertices = places.size();
-  if (faces.size() > most_faces) refuse(parameter, "at most {} faces, found {}", most_faces, faces.size());
+  if (faces.size() > most_faces)
+    refuse(arguments, parameters, fmt::format("at most {} faces, found {}", most_faces, faces.size()));
   for (std::size_t f = 0; f < faces.size(); ++f) {
     std::vector<Index> ring(faces[f].begin(), faces[f].end());
     for (const Index v : ring) {
       if (v < 0 || static_cast<std::size_t>(v) >= vertices)
-        refuse(parameter, "f{} names v{}, expected vertices from v1 to v{}", f + 1, v + 1, vertices);
+        refuse(arguments, parameters,
+               fmt::format("f{} names v{}, expected vertices from v1 to v{}", f + 1, v + 1, vertices));
     }
     if (std::set(ring.begin(), ring.end()).size() < ring.size())
-      refuse(parameter, "different corners expected, found one twice in f{}", f + 1);
+      refuse(arguments, parameters, fmt::format("different corners expected, found one twice in f{}", f + 1));
     const Ring corners = mapped(ring, [&](Index v) { return places[static_cast<std::size_t>(v)]; });
     Bounds bounds;
     for (const dvec3 p : places) bounds.add(p);
     if (glm::length(area_vector(corners)) <= 1e-6 * bounds.radius() * bounds.radius())
-      refuse(parameter, "faces with an inside expected, found f{} without", f + 1);
+      refuse(arguments, parameters, fmt::format("faces with an inside expected, found f{} without", f + 1));
   }
 }
 
@@ -200,11 +203,12 @@ inline Subject given_triangles(const Arguments& arguments) {
   const std::vector<dvec3> places = arguments.places("vertices");
   Faces faces;
   for (const dvec3 t : arguments.places("triangles")) {
-    if (t != glm::floor(t)) refuse("triangles", "numbers of vertices expected, found {}", figure_place(t));
+    if (t != glm::floor(t))
+      refuse("triangles", "numbers of vertices expected, found {},{},{}", t.x, t.y, t.z);
     faces.add(
         std::vector{static_cast<Index>(t.x) - 1, static_cast<Index>(t.y) - 1, static_cast<Index>(t.z) - 1});
   }
-  check(faces, places, "triangles");
+  check(faces, places, arguments, {"triangles", "vertices"});
   const bool flat = std::ranges::all_of(places, [&](dvec3 p) { return p.z == places[0].z; });
   const bool closed = !flat && counts_of(faces, places.size()).boundary_edges == 0;
   return in_space(faces, places, flat ? dvec3{0, 0, 1} : dvec3{0.45, 0.6, 1}, closed);
@@ -218,7 +222,7 @@ inline Subject given_mesh(const Arguments& arguments) {
     for (const Corner& corner : corners_of(mesh, face)) ring.push_back(static_cast<Index>(corner.position));
     faces.add(ring);
   }
-  check(faces, mesh.positions, "model");
+  check(faces, mesh.positions, arguments, {"model"});
   if (faces.empty()) refuse("model", "a model with faces expected");
   const bool closed = counts_of(faces, mesh.positions.size()).boundary_edges == 0;
   return in_space(faces, mesh.positions, {0.45, 0.6, 1}, closed);
