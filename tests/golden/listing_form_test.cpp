@@ -163,6 +163,8 @@ const std::vector<Shared>& shared_listings() {
       {"illumination/phong illumination/lights_side_by_side illumination/highlight_lobes",
        "the same method with other lamps, or with other exponents"},
       {"poisson_disc/bridson poisson_disc/pictures", "the method whose samples the pictures are made with"},
+      {"subdivision_surface/catmull_clark subdivision_surface/levels",
+       "the same method, told at one vertex or as whole levels"},
       {"supersampling/more_samples supersampling/rays",
        "the same method, on other scenes and numbers of samples"},
       {"supersampling/supersample supersampling/filters",

@@ -275,13 +275,15 @@ void triangulate(std::span<const glm::vec<2, T>> P, Emit&& emit, O&& observer = 
   const int n = int(P.size());
   Ring ring(n);
   int at = 1;
-  int failed = 0;  // tests since the last ear
+  // Tests since the last ear
+  int failed = 0;
   while (ring.size() > 2) {
     // Convex, holding no corner?
     auto v = judge(P, ring, at);
     if constexpr (observed<O>) observer(v);
     const int left = ring.size();
-    if (!v.ear && ++failed < left) {
+    failed += v.ear ? 0 : 1;
+    if (!v.ear && failed < left) {
       at = ring.next(at);
       continue;
     }

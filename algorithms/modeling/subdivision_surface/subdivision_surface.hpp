@@ -202,13 +202,14 @@ Surface<T> joined(const Faces& faces, const Row<T>& V, const Row<T>& E, const Ro
 /// One level of catmull_clark. level: its number, for reports alone.
 template <class T,
           Observer<FacePointFound<T>, EdgePointFound<T>, VertexPointFound<T>, LevelDone> O = Unobserved>
-Surface<T> catmull_clark_level(const Surface<T>& mesh, int level = 1, O&& observer = {}) {
+Surface<T> catmull_clark_level(const Surface<T>& mesh, [[maybe_unused]] int level = 1, O&& observer = {}) {
   const T h(0.5), one(1);
   const T two(2), three(3);
   const T six(6), eight(8);
   const Links net(mesh);
   const Row<T> P{mesh.points};
-  Row<T> F, M, E, V;
+  Row<T> F, M;
+  Row<T> E, V;
   // Face points: means of corners
   for (auto ring : net.rings()) {
     F.add(P.mean(ring));
@@ -282,7 +283,7 @@ Surface<T> catmull_clark(Surface<T> mesh, int levels, O&& observer = {}) {
 
 /// One level of loop. level: its number, for reports alone.
 template <class T, Observer<EdgePointFound<T>, VertexPointFound<T>, LevelDone> O = Unobserved>
-Surface<T> loop_level(const Surface<T>& mesh, int level = 1, O&& observer = {}) {
+Surface<T> loop_level(const Surface<T>& mesh, [[maybe_unused]] int level = 1, O&& observer = {}) {
   const T h(0.5), one(1);
   const T six(6), eight(8);
   const Links net(mesh);
