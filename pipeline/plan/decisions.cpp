@@ -33,7 +33,7 @@ std::string level_text(const Object& object) {
   const auto& [control, most, level, longest] = *object.subdivision;
   const bool fine = std::ldexp(longest, -level) <= fine_edge;
   return fmt::format("subdivided to level {} of {}: {}", level, most,
-                     fine ? fmt::format("edges of at most {} pixels", fine_edge)
+                     fine ? fmt::format("edges of some {} pixels or less", fine_edge)
                           : fmt::format("its edges may be longer than {} pixels", fine_edge));
 }
 

@@ -68,23 +68,23 @@ subdivision_surface::Surface<double> surface_of(const Mesh& mesh) {
 Mesh subdivided(const Mesh& control, int levels) {
   auto surface = subdivision_surface::catmull_clark_batch(surface_of(control), levels);
   std::vector<FaceTextures> textures = textures_of(control);
-  std::vector<int> materials;
-  for (const MeshFace& face : control.faces) materials.push_back(face.material);
+  std::vector<MeshFace> parents = control.faces;
   for (int level = 0; level < levels; ++level) {
     std::vector<FaceTextures> finer;
-    std::vector<int> theirs;
+    std::vector<MeshFace> theirs;
     for (std::size_t f = 0; f < textures.size(); ++f) {
       // A face of n corners makes n quadrilaterals
       const auto corners = static_cast<std::size_t>(level == 0 ? control.faces[f].count : 4);
       add_quads(textures[f], finer, corners);
-      theirs.insert(theirs.end(), corners, materials[f]);
+      theirs.insert(theirs.end(), corners, parents[f]);
     }
     textures = std::move(finer);
-    materials = std::move(theirs);
+    parents = std::move(theirs);
   }
   Mesh mesh;
   mesh.positions = std::move(surface.points);
   mesh.materials = control.materials;
+  mesh.files = control.files;
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
     std::vector<Corner> corners;
     for (const std::int32_t vertex : surface.faces[f]) {
@@ -92,7 +92,7 @@ Mesh subdivided(const Mesh& control, int levels) {
       if (textured) mesh.textures.push_back(textures[f][corners.size()]);
       corners.push_back({vertex, textured ? static_cast<int>(mesh.textures.size()) - 1 : -1});
     }
-    add_face(mesh, corners, materials[f]);
+    add_face(mesh, corners, parents[f].material, parents[f].file, parents[f].line);
   }
   add_missing_normals(mesh);
   return mesh;

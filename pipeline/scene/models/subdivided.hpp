@@ -12,9 +12,9 @@ namespace gradus::pipeline {
 inline constexpr int most_subdivisions = 6;
 
 /// The mesh after so many levels of Catmull and Clark's rules (modeling/subdivision_surface): faces keep
-/// their materials, texture coordinates are shared out evenly within each face of the control mesh, normals
-/// are the means of the faces round a place. Domain: at most two faces at an edge, in one sense; one fan of
-/// faces at a place. Errors: ContractViolation outside the domain.
+/// their materials and their places in files, texture coordinates are shared out evenly within each face of
+/// the control mesh, normals are the means of the faces round a place. Domain: at most two faces at an edge,
+/// in one sense; one fan of faces at a place. Errors: ContractViolation outside the domain.
 Mesh subdivided(const Mesh& control, int levels);
 
 /// Why a mesh can't be subdivided, if it can't.
