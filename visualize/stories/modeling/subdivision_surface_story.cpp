@@ -61,9 +61,8 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
 
   double tells(const auto& step) const {
     using Step = std::decay_t<decltype(step)>;
-    return std::same_as<Step, std::conditional_t<false, int, VertexPointFound<double>>> ? 1
-           : std::same_as<Step, LevelDone> && way_ == Way::always_four                  ? 2
-                                                                                        : 0;
+    if (std::same_as<Step, LevelDone>) return way_ == Way::always_four ? 2 : 0;
+    return std::same_as<Step, VertexPointFound<double>> ? 1 : 0;
   }
 
   Event say(const steps::Started&) const {
