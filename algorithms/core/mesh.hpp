@@ -57,6 +57,12 @@ inline dvec3 position_of(const Mesh& mesh, const Corner& corner) {
 /// Adds a face of these corners and returns its id. Domain: at least 3 corners (refused otherwise).
 int add_face(Mesh& mesh, std::span<const Corner> corners, int material = 0, int file = -1, int line = 0);
 
+/// A surface as algorithms give it: places of vertices, and faces that name them.
+struct PolygonMesh {
+  std::vector<dvec3> points;
+  Faces faces;
+};
+
 /// The mesh of these faces. Domain: as expect_faces has it (refused otherwise).
 Mesh mesh_of(std::span<const dvec3> positions, const Faces& faces);
 

@@ -19,7 +19,7 @@
 
 namespace gradus {
 
-struct Mesh;
+struct PolygonMesh;
 
 /// The version of the trace's JSON form; raised when a reader of the old one would go wrong.
 inline constexpr int trace_schema = 1;
@@ -157,7 +157,7 @@ struct Trace {
   bool whole() const;                  ///< whether every step of the run is in `steps`
 
   std::vector<Field> result;
-  std::shared_ptr<const Mesh> mesh{};  ///< the surface that the run has made, for files of models
+  std::shared_ptr<const PolygonMesh> mesh{};  ///< the surface that the run has made, for files of models
   std::vector<std::string> counts{};   ///< what runs are compared by: "cuts: 4", of the whole run
   std::vector<ivec2> pixels;  ///< rasters: the pixels that were set, in order (as many as were recorded)
 

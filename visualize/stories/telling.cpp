@@ -348,7 +348,7 @@ void Narrator::describe(TraceStep& step, std::string_view type, Event event) {
 }
 
 void Narrator::result(std::span<const dvec3> points, const Faces& faces) {
-  trace().mesh = std::make_shared<const Mesh>(mesh_of(points, faces));
+  trace().mesh = std::make_shared<const PolygonMesh>(PolygonMesh{{points.begin(), points.end()}, faces});
 }
 
 Trace Narrator::finish() && {

@@ -321,14 +321,15 @@ std::string model_bytes(const FigureSpec& spec, const Trace& trace, Format forma
     throw UsageError(fmt::format("-o: expected a topic whose result is a surface for {}, found {}",
                                  name_of(format), trace.topic));
   }
+  const Mesh mesh = mesh_of(trace.mesh->points, trace.mesh->faces);
   const std::string comment = visible(command_of(spec));
   switch (format) {
     case Format::obj:
-      return pipeline::obj_of(*trace.mesh, comment);
+      return pipeline::obj_of(mesh, comment);
     case Format::ply:
-      return pipeline::ply_of(*trace.mesh, comment);
+      return pipeline::ply_of(mesh, comment);
     default:
-      return pipeline::stl_of(*trace.mesh, comment);
+      return pipeline::stl_of(mesh, comment);
   }
 }
 
