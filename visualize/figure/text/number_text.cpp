@@ -437,7 +437,7 @@ void settle_numbers(Delta& delta, const Wording& wording) {
 
 void settle_numbers(TraceStep& step, const Wording& wording) {
   const NumberStyle style = style_of(wording);
-  settle(step.sentence, style);
+  for (std::string* text : {&step.sentence, &step.note, &step.phase}) settle(*text, style);
   for (Row* row : {&step.read, &step.row}) {
     for (std::string& cell : *row) settle(cell, style);
   }
