@@ -15,9 +15,10 @@ bool is_text(const JsonNode& exhibit, std::string_view member, std::string_view 
   return found && found->value.text == text;
 }
 
-/// The input that the method's exhibit opens with; empty: the defaults show what is wrong.
+/// The input that the method, or its exhibit, opens with; empty: the defaults do.
 GivenTexts opening_of(const TopicEntry& topic, const Method& method) {
-  GivenTexts inputs;
+  GivenTexts inputs(method.opening.begin(), method.opening.end());
+  if (!inputs.empty()) return inputs;
   if (method.standing != Standing::faulty) return inputs;
   const JsonNode all = read_json(exhibit_text("errata.json"), "examples/errata.json");
   const auto exhibit = std::ranges::find_if(all.elements, [&](const JsonNode& one) {

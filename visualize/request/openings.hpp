@@ -6,8 +6,9 @@
 namespace gradus {
 
 /// What is given, by the names of parameters and "method". Without any input, where the run's method or the
-/// one beside it is faulty and the topic's defaults don't show that: with the input that its exhibit opens
-/// with, in examples/errata.json. Throws UsageError for a method that does not exist.
+/// one beside it has an opening: with that; where it is faulty and the topic's defaults don't show that: with
+/// the input that its exhibit opens with, in examples/errata.json. Throws UsageError for a method that does
+/// not exist.
 GivenTexts opened(const TopicEntry& topic, GivenTexts given, const Method* beside = nullptr);
 
 }  // namespace gradus

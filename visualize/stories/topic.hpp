@@ -104,6 +104,9 @@ struct Method {
   std::vector<std::string> unread{};  ///< parameters that it takes no notice of: its traces don't name them
   bool of_columns = false;            ///< its vectors are columns in every notation
   bool exact = false;                 ///< its numbers can be told in three arithmetics side by side
+  /// Names of parameters and their texts: what it starts with where no input is given and the defaults would
+  /// not show what it is good for, or what is wrong with it.
+  std::vector<std::pair<std::string, std::string>> opening{};
 };
 
 /// All of several things, each once: their positions among the choices, or, `numbered`, among 1, 2, 3, …

@@ -47,13 +47,14 @@ inline std::string_view compass(ivec2 move) {
 inline std::string move_name(const Wording& wording, ivec2 move) { return wording.symbol(compass(move)); }
 
 /// What a trace says of itself before its first step: topic, title, goal, method, what is wrong with it where
-/// it is faulty, and its arguments. The texts are the topic's "title", "goal", "method.<name>" and
-/// "note.<name>".
+/// it is faulty, and its arguments. The texts are the topic's "title", "goal" or, where a
+/// method has another, "goal.<name>", "method.<name>" and "note.<name>".
 inline void introduce(Trace& trace, const std::string& topic, const Arguments& arguments, bool faulty) {
   trace.topic = topic;
   trace.method = arguments.text("method");
   trace.title = trace.wording.say(topic + ".title");
-  trace.goal = trace.wording.say(topic + ".goal");
+  const std::string its = topic + '.' + "goal." + trace.method;
+  trace.goal = trace.wording.say(trace.wording.has(its) ? its : topic + ".goal");
   trace.method_title = trace.wording.say(topic + ".method." + trace.method);
   if (faulty) trace.faulty = trace.wording.say(topic + ".note." + trace.method);
   for (const Arguments::Entry& entry : arguments.entries()) {

@@ -24,6 +24,24 @@ TEST(Openings, AFaultyMethodOpensWhereItFails) {
   EXPECT_EQ(opening.at("circle"), "0,0,1");
 }
 
+TEST(Openings, AMethodOpensWhereItsIdeaIsSeen) {
+  EXPECT_EQ(opened_by("mesh_structures", {{"method", "winged_edge"}}).at("query"), "edge");
+  const GivenTexts given{{"method", "winged_edge"}, {"mesh", "cube"}};
+  EXPECT_EQ(opened_by("mesh_structures", given), given);
+}
+
+TEST(Openings, EveryOpeningIsAnInputThatItsMethodReads) {
+  for (const TopicEntry* topic : catalogue()) {
+    for (const Method& method : topic->methods) {
+      if (method.opening.empty()) continue;
+      const GivenTexts opening = opened(*topic, {{"method", method.name}});
+      EXPECT_FALSE(topic->run(cli::read_inputs(*topic, opening).arguments, {}).steps.empty()) << method.name;
+      for (const auto& [name, text] : method.opening)
+        EXPECT_EQ(std::ranges::count(method.unread, name), 0) << method.name << " " << name;
+    }
+  }
+}
+
 TEST(Openings, OthersOpenWithTheDefaults) {
   const GivenTexts right{{"method", "exact_decision"}};
   EXPECT_EQ(opened_by("liang_barsky_circle", right), right);
@@ -70,6 +88,7 @@ TEST(Openings, ShowWhatTheDefaultsDoNot) {
   shown_by_opening("z_buffer", "first_come", "per_polygon");
   shown_by_opening("back_face_culling", "eye_space_normal", "normal_and_view");
   shown_by_opening("liang_barsky_circle", "without_empty_test", "half_chord");
+  shown_by_opening("mesh_structures", "first_fan_only", "half_edge");
 }
 
 }  // namespace
