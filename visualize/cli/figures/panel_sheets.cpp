@@ -184,8 +184,8 @@ bool both_right(const FigureSpec& spec, const Takes& takes) {
   return !spec.compare->given && takes.opening().faulty.empty() && takes.beside()->opening().faulty.empty();
 }
 
-/// The first step at which the runs part and it is seen, or at which they part.
-std::optional<StepNumber> parting_step(const Takes& takes) {
+/// The first steps at which the runs part and it is seen, or at which they part.
+std::optional<StepPair> parting_pair(const Takes& takes) {
   const Alignment& alignment = takes.alignment();
   if (!alignment.parting) return std::nullopt;
   const std::size_t first = *alignment.parting, end = std::min(alignment.pairs.size(), first + most_pairs);
@@ -194,9 +194,9 @@ std::optional<StepNumber> parting_step(const Takes& takes) {
   for (std::size_t i = first; i < end; ++i) {
     const Figure a = figure_of(of_a, head_a, alignment.pairs[i].a),
                  b = figure_of(of_b, head_b, alignment.pairs[i].b);
-    if (place_of_difference(a, b) || place_of_difference(b, a)) return alignment.pairs[i].a;
+    if (place_of_difference(a, b) || place_of_difference(b, a)) return alignment.pairs[i];
   }
-  return alignment.pairs[first].a;
+  return alignment.pairs[first];
 }
 
 std::string joined(const Wording& wording, const std::string& a, const std::string& b) {
@@ -297,12 +297,15 @@ Sheet panels_sheet(const FigureSpec& spec, Takes& takes, const Look& look) {
 
 StepNumber compared_step(const FigureSpec& spec, const Takes& takes) {
   if (both_right(spec, takes)) return {takes.last(), 0};
-  return parting_step(takes).value_or(takes.opening().telling);
+  const auto parting = parting_pair(takes);
+  return parting ? parting->a : takes.opening().telling;
 }
 
 Sheet compared_sheet(const FigureSpec& spec, Takes& takes, StepNumber step, const Look& look) {
-  const bool parts = !both_right(spec, takes) && parting_step(takes) == step;
-  const StepPair pair = pair_at(takes, step);
+  const auto parting = both_right(spec, takes) ? std::nullopt : parting_pair(takes);
+  const bool parts = parting && parting->a == step;
+  // Beside the last step before a run ends early, the other's next one
+  const StepPair pair = parts ? *parting : pair_at(takes, step);
   const Figure a = takes.figure(pair.a), b = takes.beside()->figure(pair.b);
   const Trace &of_a = *a.trace, &of_b = *b.trace;
   const std::array runs{&of_a, &of_b};

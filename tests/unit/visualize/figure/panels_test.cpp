@@ -222,6 +222,16 @@ Box box_of(const Sheet& sheet, std::string_view id) {
   return found == sheet.shapes.end() ? Box{} : test::extent_of(*found);
 }
 
+TEST(Compare, ShowsWhatARunThatEndsEarlyLeavesOut) {
+  // Both panels were the same step, the last one that the runs have in common
+  const Sheet sheet = sheet_for(spec_of(
+      "mesh_structures", {{"method", "first_fan_only"}, {"mesh", "bow_tie"}, {"compare", "half_edge"}}));
+  EXPECT_TRUE(std::ranges::any_of(sheet.shapes, [](const Shape& shape) {
+    const TextShape* text = std::get_if<TextShape>(&shape.what);
+    return text && text->text.starts_with("step 19 / 20 | step 20 / 23");
+  }));
+}
+
 TEST(Compare, RingsWhatDiffersAndNoText) {
   std::size_t rings = 0;
   for (const TopicEntry* topic : catalogue()) {
@@ -332,6 +342,14 @@ TEST(Panels, AreCalledByWhatTellsThemApart) {
   EXPECT_THAT(text_in(apart, "panel 1 note"), testing::StartsWith("step 1"));
 }
 
+TEST(Panels, HaveTheGoalOfTheirMethod) {
+  const std::string all = test::trace_of("bezier_curve", {}).goal,
+                    chords = test::trace_of("bezier_curve", {{"method", "flatten"}}).goal;
+  EXPECT_NE(chords, all);
+  EXPECT_NE(chords.find("chords"), std::string::npos) << chords;
+  EXPECT_EQ(test::trace_of("bezier_curve", {{"method", "split"}}).goal, all);
+}
+
 TEST(Panels, NotesSayWordsAsWords) {
   const auto note = [](const char* topic, const char* panels, const char* language) {
     return text_in(sheet_for(spec_of(topic, {{"panels", panels}, {"language", language}})), "panel 1 note");
@@ -339,6 +357,17 @@ TEST(Panels, NotesSayWordsAsWords) {
   EXPECT_THAT(note("area_sampling", "phases", "en"), testing::StartsWith("corners: 4"));
   EXPECT_THAT(note("area_sampling", "phases", "de"), testing::StartsWith("Ecken: 4"));
   EXPECT_THAT(note("perspective", "phases", "en"), HasSubstr("d/z = "));
+}
+
+TEST(Panels, NotesOfRoundedNumbersAreWrittenAsTextsAre) {
+  // A note that was cut in the middle of an unseen mark could not be drawn
+  const Trace trace = test::trace_of("bezier_curve", {{"method", "overwritten"}});
+  bool rounded = false;
+  for (const TraceStep& step : trace.steps) {
+    EXPECT_EQ(step.note.find("\uf0a0"), std::string::npos) << step.note;
+    rounded = rounded || step.note.find("≈") != std::string::npos;
+  }
+  EXPECT_TRUE(rounded);
 }
 
 TEST(Panels, OfOnePhaseAreItsStepsWithNotes) {
