@@ -48,7 +48,7 @@ void tell_half_edges(Narrator& narrator) {
                    {Role::candidate, "twin"},
                    {Role::measure, "next"},
                    {Role::accepted, "found"},
-                   {Role::rejected, "refused"}});
+                   {Role::rejected, narrator.method().standing == Standing::faulty ? "missed" : "refused"}});
   HalfEdgeStory story(narrator.words(), task, drawing);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
@@ -107,7 +107,7 @@ void tell_search(Narrator& narrator) {
 
 template <auto spreads>
 void tell_orientation(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
+  const Task task = task_of(narrator.arguments(), false);
   const MeshDrawing drawing(task.subject, task.edges);
   set_up(narrator, task, drawing);
   narrator.columns({{"edge", false}, {"from", false}, {"to", false}, {"demand", false}});
@@ -140,16 +140,14 @@ std::array<Index, 3> records_of(const Task& whole, Query query) {
   const Faces& faces = task.subject.faces;
   const WingedEdges winged = winged_edges(*task.mesh);
   Index searched = 0, wings = 0, halves = 0;
-  const auto search = [&](const Searched& s) {
-    searched += static_cast<Index>(ring_of(faces, s.face).size());
-  };
+  const auto search = [&](const Searched&) { ++searched; };
   const auto wing = [&](const auto&) { ++wings; };
   if (query == Query::vertex) {
     search_faces_at(faces, task.number, drop, search);
     winged_faces_at(winged, task.number, drop, wing);
     faces_at(*task.mesh, task.number, drop, [&](const Turned&) { halves += 2; });
   } else if (query == Query::face) {
-    searched = static_cast<Index>(ring_of(faces, task.number).size());
+    searched = 1;
     winged_edges_round(winged, task.number, drop, wing);
     edges_round(*task.mesh, task.mesh->of_face[task.number], drop, [&](const Followed&) { ++halves; });
   } else {
@@ -224,7 +222,8 @@ const TopicEntry& entry() {
                    {.name = "winged_edge",
                     .tell = tell_winged,
                     .function = "winged_faces_at",
-                    .file = "winged_edge.hpp"},
+                    .file = "winged_edge.hpp",
+                    .opening = {{"query", "edge"}}},
                    {.name = "face_vertex",
                     .tell = tell_search,
                     .function = "search_faces_at",
@@ -233,9 +232,17 @@ const TopicEntry& entry() {
                     .tell = tell_orientation<spreads>,
                     .function = "spread",
                     .file = "orientation.hpp",
-                    .unread = {"query", "number"}},
-                   {.name = "costs", .tell = tell_costs, .function = "faces_at", .unread = {"query"}},
-                   {.name = "first_fan_only", .standing = Standing::faulty, .tell = tell_half_edges<wrong>},
+                    .unread = {"query", "number"},
+                    .opening = {{"triangles", "1,2,3 2,3,4 3,4,6 4,5,6"}}},
+                   {.name = "costs",
+                    .tell = tell_costs,
+                    .function = "faces_at",
+                    .unread = {"query"},
+                    .opening = {{"mesh", "fine_sphere"}}},
+                   {.name = "first_fan_only",
+                    .standing = Standing::faulty,
+                    .tell = tell_half_edges<wrong>,
+                    .opening = {{"mesh", "bow_tie"}}},
                    {.name = "any_number_of_faces",
                     .standing = Standing::faulty,
                     .tell = tell_orientation<any>,

@@ -26,6 +26,7 @@ struct Marks {
   std::map<Index, Role> faces{}, vertices{};
   std::vector<Arrow> arrows{};
   std::vector<std::pair<Index, Role>> sides{};  ///< drawn strong, by their corners
+  std::vector<Index> ways{};                    ///< arrows along sides: an edge that has a direction
   std::vector<std::pair<Index, std::string>> side_names{};
   std::map<Index, bool> senses{};  ///< of faces: an arrow that goes round, reversed or not
 };
@@ -39,8 +40,7 @@ class MeshDrawing {
     for (const dvec3 p : subject.at) bounds.add(p);
     const int views = subject.closed ? 2 : 1;
     for (int k = 0; k < views; ++k) {
-      readers_.emplace_back(k == 0 ? subject.towards
-                                   : dvec3{-subject.towards.x, subject.towards.y, -subject.towards.z});
+      readers_.emplace_back(k == 0 ? subject.towards : -subject.towards);
       Extent extent;
       for (const dvec3 p : subject.at) extent.add(readers_.back().flat(p));
       for (const auto& [v, p] : subject.loose) extent.add(readers_.back().flat(p));
@@ -87,6 +87,15 @@ class MeshDrawing {
     }
     for (const auto& [corner, role] : marks.sides)
       add_edge(drawing, fmt::format("{}c strong {:03}", id, corner), role, corner, true);
+    for (const Index corner : marks.ways) {
+      const auto [a, b] = side(corner);
+      drawing.add(SpaceEdge{.id = fmt::format("{}c way {:03}", id, corner),
+                            .role = Role::current,
+                            .a = a + 0.08 * (b - a),
+                            .b = b - 0.08 * (b - a),
+                            .arrow = true,
+                            .behind = false});
+    }
     for (std::size_t i = 0; i < marks.arrows.size(); ++i)
       add_arrow(drawing, fmt::format("{}d arrow {:03}", id, i), marks.arrows[i]);
     for (const auto& [f, reversed] : few_faces() ? marks.senses : std::map<Index, bool>{})

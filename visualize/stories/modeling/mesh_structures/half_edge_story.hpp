@@ -22,6 +22,7 @@ class HalfEdgeStory : public Past<steps::Started, FacePlaced, EdgeJoined, LoopCl
   double tells(const EdgeJoined& e) const {
     return e.fit > Fit::twins ? 4 : e.fit == Fit::twins ? 0.5 : 0.25;
   }
+  double tells(const steps::Finished&) const { return missed().empty() ? 0 : 5; }
   double tells(const auto&) const { return 0; }
 
   Event say(const steps::Started&) const {
@@ -110,7 +111,12 @@ class HalfEdgeStory : public Past<steps::Started, FacePlaced, EdgeJoined, LoopCl
   }
   Event say(const steps::Finished&) const {
     if (!task_.mesh) return {.text = "finished.refused"};
-    return finished_event(task_, found());
+    Event event = finished_event(task_, found());
+    if (!missed().empty()) {
+      event.text = "finished.missed";
+      event.words.push_back({"missed", names_of(missed(), face_name)});
+    }
+    return event;
   }
   Found found() const {
     Found found;
@@ -119,6 +125,17 @@ class HalfEdgeStory : public Past<steps::Started, FacePlaced, EdgeJoined, LoopCl
     found.records =
         static_cast<Index>(2 * all<Turned>().size() + all<Followed>().size() + 2 * all<Crossed>().size());
     return found;
+  }
+
+  /// Faces at the vertex that a finished walk has not found.
+  std::vector<Index> missed() const {
+    std::vector<Index> left;
+    if (!now<steps::Finished>() || !task_.mesh || task_.query != Query::vertex) return left;
+    const auto all = found().faces;
+    faces_at(*task_.mesh, task_.number, [&](Index f) {
+      if (f != none && std::ranges::find(all, f) == all.end()) left.push_back(f);
+    });
+    return left;
   }
 
   View draw() const {
@@ -162,6 +179,7 @@ class HalfEdgeStory : public Past<steps::Started, FacePlaced, EdgeJoined, LoopCl
   void add_walk(Marks& marks) const {
     for (const Index f : found().faces)
       marks.faces[f] = now<steps::Finished>() ? Role::result : Role::accepted;
+    for (const Index f : missed()) marks.faces[f] = Role::rejected;
     for (const Followed& f : all<Followed>())
       put(marks, task_.arrow(f.half, now<steps::Finished>() ? Role::result : Role::accepted));
     if (const auto* t = now<Turned>()) {

@@ -11,17 +11,20 @@ class SpreadStory : public Past<steps::Started, Seeded, Demanded, steps::Finishe
   SpreadStory(const Words& words, const Task& task, const MeshDrawing& drawing)
       : words_(words), task_(task), drawing_(drawing) {}
 
-  /// Where demands meet; else where a face is turned, late.
+  /// Where demands meet; else where a face is turned, or is reached late.
   double tells(const Demanded& d) const {
     if (d.outcome > Outcome::agrees) return 1e6;
+    if (d.outcome == Outcome::reached && d.turned) return 3;
     return static_cast<double>(all<Demanded>().size()) / 1000 + (d.outcome == Outcome::reached ? 2 : 1);
   }
+  double tells(const Seeded& s) const { return left_out_at(s.face) == none ? 0 : 4; }
   double tells(const auto&) const { return 0; }
 
   Event say(const steps::Started&) const { return {.text = "spread.started", .level = Level::idea}; }
   Event say(const Seeded& s) const {
-    return {.text = "seeded",
-            .words = {{"f", face_name(s.face)}},
+    const Index edge = left_out_at(s.face);
+    return {.text = edge == none ? "seeded" : "seeded.left_out",
+            .words = {{"f", face_name(s.face)}, {"e", edge == none ? "" : task_.edge_name(edge)}},
             .row = {"", "", face_name(s.face), words_.say("sense.kept")},
             .key = face_name(s.face)};
   }
@@ -69,7 +72,13 @@ class SpreadStory : public Past<steps::Started, Seeded, Demanded, steps::Finishe
       if (d.outcome == Outcome::reached) paint(marks, d.to, d.turned);
     }
     const auto* d = all<Demanded>().empty() ? nullptr : last<Demanded>();
-    if (const auto* s = now<Seeded>()) marks.faces[s->face] = Role::current;
+    if (const auto* s = now<Seeded>()) {
+      marks.faces[s->face] = Role::current;
+      if (const Index edge = left_out_at(s->face); edge != none) {
+        marks.faces[s->face] = Role::rejected;
+        marks.sides.push_back({task_.edges[edge][0].corner, Role::current});
+      }
+    }
     if (!d || !(now<Demanded>() || fails())) return drawing_.draw(marks);
     const bool wrong = fails();
     for (const Side& s : task_.edges[d->edge]) {
@@ -82,6 +91,16 @@ class SpreadStory : public Past<steps::Started, Seeded, Demanded, steps::Finishe
   bool fails() const { return last<Demanded>() && last<Demanded>()->outcome > Outcome::agrees; }
 
  private:
+  /// An edge of a face that begins at which others have agreed, so that it should have been reached; or none.
+  Index left_out_at(Index face) const {
+    for (const Demanded& d : all<Demanded>()) {
+      if (d.from == face || d.to == face) continue;
+      for (const Side& s : task_.edges[d.edge]) {
+        if (s.face == face) return d.edge;
+      }
+    }
+    return none;
+  }
   bool is_turned(Index face) const {
     for (const Demanded& d : all<Demanded>()) {
       if (d.to == face && d.outcome == Outcome::reached) return d.turned;

@@ -27,7 +27,7 @@ class WingedStory : public Past<steps::Started, WingTurned, WingFollowed, WingCr
   Event say(const WingCrossed& c) const {
     const WingedEdge& w = mesh_[c.edge];
     return {.text = w.right == none ? "winged.crossed.border" : "winged.crossed",
-            .words = {{"e", task_.edge_name(c.edge)},
+            .words = {{"e", directed(c.edge)},
                       {"f", face_name(w.left)},
                       {"g", face_name(w.right)},
                       {"a", task_.edge_name(w.left_before)},
@@ -60,6 +60,7 @@ class WingedStory : public Past<steps::Started, WingTurned, WingFollowed, WingCr
     if (const auto* f = now<WingFollowed>()) add_walk(marks, f->edge, f->next);
     if (const auto* c = now<WingCrossed>()) {
       const WingedEdge& w = mesh_[c->edge];
+      add_way(marks, c->edge);
       marks.faces[w.left] = Role::current;
       for (const auto& [wing, key] :
            {std::pair(w.left_before, "wing.left_before"), std::pair(w.left_next, "wing.left_next"),
@@ -74,11 +75,11 @@ class WingedStory : public Past<steps::Started, WingTurned, WingFollowed, WingCr
  private:
   std::vector<Said> row(Index e, const std::string& next) const {
     const WingedEdge& w = mesh_[e];
-    return {task_.edge_name(e), face_name(w.left), face_name(w.right), next,
+    return {directed(e), face_name(w.left), face_name(w.right), next,
             task_.query == Query::face ? "" : found().names()};
   }
   Event walked(Index e, Index next, bool round, std::string_view text, const std::string& face) const {
-    const std::string name = task_.edge_name(e), its = task_.edge_name(next);
+    const std::string name = directed(e), its = task_.edge_name(next);
     const bool leaves = mesh_[e].from == task_.number;
     Event event{.text = text,
                 .words = {{"e", name},
@@ -91,12 +92,25 @@ class WingedStory : public Past<steps::Started, WingTurned, WingFollowed, WingCr
     event.decides = yes_or_no(words_, "question.round", {{"next", its}}, round, "done", "go on");
     return event;
   }
+  /// "v4→v3": left and right are said of an edge with a direction.
+  std::string directed(Index e) const {
+    const auto [a, b] = task_.edges[e][0].ends();
+    const Index from = mesh_[e].from;
+    return vertex_name(from) + "→" + vertex_name(from == a ? b : a);
+  }
+  /// An arrow where a face runs along the edge as it does.
+  void add_way(Marks& marks, Index e) const {
+    for (const Side& s : task_.edges[e]) {
+      if (s.from == mesh_[e].from) return marks.ways.push_back(s.corner);
+    }
+  }
   void add_edge(Marks& marks, Index e, Role role) const {
     for (const Side& s : task_.edges[e]) marks.sides.push_back({s.corner, role});
   }
   void add_walk(Marks& marks, Index e, Index next) const {
     add_edge(marks, next, Role::candidate);
     add_edge(marks, e, Role::current);
+    add_way(marks, e);
   }
 
   const Words& words_;
@@ -133,10 +147,9 @@ class SearchStory : public Past<steps::Started, Searched, steps::Finished> {
     Found found;
     for (const Searched& s : all<Searched>()) {
       if (s.found) found.add(s.face);
-      found.records += static_cast<Index>(ring_of(task_.subject.faces, s.face).size());
+      ++found.records;
     }
-    if (task_.query == Query::face)
-      found.records = static_cast<Index>(ring_of(task_.subject.faces, task_.number).size());
+    if (task_.query == Query::face) found.records = 1;
     return found;
   }
 
@@ -187,7 +200,7 @@ class CostsStory : public Past<steps::Started, Answered, steps::Finished> {
     const std::string question = asked(a.question), structure = name(a.structure);
     return {.text = "answered",
             .facts = {{"records", static_cast<std::int64_t>(a.records)}},
-            .words = {{"question", question}, {"structure", structure}},
+            .words = {{"question", question}, {"structure", structure}, {"read", read(a)}},
             .row = {question, structure, a.records},
             .key = std::string(structures[a.structure])};
   }
@@ -195,7 +208,8 @@ class CostsStory : public Past<steps::Started, Answered, steps::Finished> {
     Index searched = 0, walked = 0;
     for (const Answered& a : all<Answered>())
       (a.structure == 0 ? searched : walked) = std::max(a.structure == 0 ? searched : walked, a.records);
-    return {.text = "costs.finished", .words = {{"searched", searched}, {"walked", walked}}};
+    return {.text = "costs.finished",
+            .words = {{"searched", searched}, {"all", task_.counts.faces}, {"walked", walked}}};
   }
 
   View draw() const {
@@ -216,9 +230,13 @@ class CostsStory : public Past<steps::Started, Answered, steps::Finished> {
                                                                       : q == 1 ? face_name(i)
                                                                                : task_.edge_name(i)}});
   }
+  /// "4 faces": what each structure reads is another thing.
+  std::string read(const Answered& a) const {
+    return words_.count("read." + std::string(structures[a.structure]), a.records);
+  }
   std::string name(std::size_t s) const { return words_.say("method." + std::string(structures[s])); }
   void add_bar(View& view, std::size_t q, std::size_t s, double y) const {
-    constexpr double left = 13, longest = 18;
+    constexpr double left = 12.5, longest = 16;
     const std::string id = fmt::format("b {} {}", q, s);
     view.add({id + " name", Role::guide, Text{{left - 0.6, y}, name(s), Align::right}});
     const auto& answers = all<Answered>();
@@ -229,7 +247,7 @@ class CostsStory : public Past<steps::Started, Answered, steps::Finished> {
     const Role role = current ? Role::current : s == 0 ? Role::rejected : Role::accepted;
     const double right = left + longest * found->records / most_;
     add_ring(view, id, role, Extent{{left, y - 0.75}, {right, y + 0.75}}.corners(), 2);
-    view.add({id + " value", role, Text{{right + 0.5, y}, fmt::format("{}", found->records), Align::left}});
+    view.add({id + " value", role, Text{{right + 0.5, y}, read(*found), Align::left}});
   }
 
   const Words& words_;

@@ -35,7 +35,36 @@ struct Task {
   }
 };
 
-inline Task task_of(const Arguments& arguments) {
+/// The places of what is asked about; of a boundary, none.
+inline Ring places_asked(const Task& task) {
+  const Subject& subject = task.subject;
+  if (task.query == Query::face) return subject.ring(task.number);
+  Ring places;
+  for (std::size_t c = 0; task.query == Query::vertex && c < subject.at.size(); ++c) {
+    if (subject.faces.corners[c] == task.number) places.push_back(subject.at[c]);
+  }
+  if (task.query == Query::edge) {
+    for (const Side& s : task.edges[task.number])
+      places.push_back(subject.at[static_cast<std::size_t>(s.corner)]);
+  }
+  return places;
+}
+
+/// Seen from the side on which that lies.
+inline void turn_to_question(Task& task) {
+  Bounds all, asked;
+  for (const dvec3 p : task.subject.at) all.add(p);
+  for (const dvec3 p : places_asked(task)) asked.add(p);
+  if (asked.empty()) return;
+  const dvec3 way = asked.centre() - all.centre();
+  for (int axis = 0; axis < 3; ++axis) {
+    double& towards = task.subject.towards[axis];
+    if (std::abs(way[axis]) > 1e-6 * all.radius()) towards = std::copysign(towards, way[axis]);
+  }
+}
+
+/// asks: whether it is about one vertex, face or edge.
+inline Task task_of(const Arguments& arguments, bool asks = true) {
   const std::string& text = arguments.text("query");
   Task task{.subject = subject_of(arguments),
             .query = text == "vertex" ? Query::vertex
@@ -48,6 +77,7 @@ inline Task task_of(const Arguments& arguments) {
                      : task.query == Query::edge ? c.edges
                                                  : std::max(c.loops, 1);
   task.number = std::min(static_cast<Index>(arguments.integer("number")), last) - 1;
+  if (asks && task.subject.closed) turn_to_question(task);
   return task;
 }
 
@@ -69,7 +99,7 @@ struct Found {
 /// What is asked about is drawn strong.
 inline void mark_question(Marks& marks, const Task& task) {
   if (task.query == Query::vertex) marks.vertices[task.number] = Role::current;
-  if (task.query == Query::face) marks.faces[task.number] = Role::candidate;
+  if (task.query == Query::face) marks.faces[task.number] = Role::current;
   if (task.query == Query::edge) marks.sides.push_back({task.side().corner, Role::current});
 }
 
