@@ -18,8 +18,8 @@ constexpr double ambient = 0.3, line_light = 0.2;  ///< parts of the colour
 constexpr double half_line = 1.4;                  ///< of a line between faces, in samples
 
 struct Sample {
-  double depth = -1e300;  ///< towards the reader
-  float light = -1;       ///< below 0: nothing is here
+  float depth = -1e30f;  ///< towards the reader
+  float light = -1;      ///< below 0: nothing is here
 };
 
 /// A corner as the picture has it: samples from the lower left, how near, its normal.
@@ -108,7 +108,8 @@ class SurfacePicture {
             whole;
         if (part.x < 0 || part.y < 0 || part.z < 0) continue;
         Sample& sample = samples_[p];
-        const double depth = part.x * c[0].at.z + part.y * c[1].at.z + part.z * c[2].at.z;
+        const auto depth =
+            static_cast<float>(part.x * c[0].at.z + part.y * c[1].at.z + part.z * c[2].at.z);
         if (depth <= sample.depth) continue;
         sample = {depth, light_of(part.x * c[0].normal + part.y * c[1].normal + part.z * c[2].normal)};
         if (look_.faceted && on_a_side(c, sides, part, std::abs(whole)))

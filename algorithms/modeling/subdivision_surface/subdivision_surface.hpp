@@ -227,16 +227,17 @@ Surface<T> catmull_clark_level(const Surface<T>& mesh, [[maybe_unused]] int leve
   }
   // Vertex points
   for (Star v : net.stars()) {
-    auto Q = F.mean(v.faces);
-    auto R = M.mean(v.edges);
     auto S = P(v.vertex);
-    const T n(v.valence());
-    auto p = Q + two * R;
-    p = (p + (n - three) * S) / n;
     // Where sharp edges meet
     const Rule r = net.rule(v);
     auto c = P(r.a) + P(r.b);
     c = (c + six * S) / eight;
+    // And where none do
+    auto Q = F.mean(v.faces);
+    auto R = M.mean(v.edges);
+    const T n(v.valence());
+    auto p = Q + two * R;
+    p = (p + (n - three) * S) / n;
     V.add(r.blend(p, c, S));
     if constexpr (observed<O>) observer(VertexPointFound<T>{level, v.vertex, Q, R, S, V.all.back(), r});
   }
@@ -303,16 +304,17 @@ Surface<T> loop_level(const Surface<T>& mesh, [[maybe_unused]] int level = 1, O&
   }
   // Vertex points
   for (Star v : net.stars()) {
-    const T n(v.valence());
-    const T w = loop_weight(n);
-    auto N = P.mean(around(net, v));
     auto S = P(v.vertex);
-    auto p = n * w * N;
-    p += (one - n * w) * S;
     // Where sharp edges meet
     const Rule r = net.rule(v);
     auto c = P(r.a) + P(r.b);
     c = (c + six * S) / eight;
+    // And where none do
+    auto N = P.mean(around(net, v));
+    const T n(v.valence());
+    const T w = loop_weight(n);
+    auto p = n * w * N;
+    p += (one - n * w) * S;
     V.add(r.blend(p, c, S));
     if constexpr (observed<O>) observer(VertexPointFound<T>{level, v.vertex, N, N, S, V.all.back(), r});
   }

@@ -4,6 +4,7 @@
 #include "modeling/subdivision_surface/subdivision_surface.hpp"
 
 #include "modeling/subdivision_surface/subdivision_surface_notes.hpp"
+#include "stories/checking.hpp"
 #include "stories/modeling/subdivision_surface/levels_story.hpp"
 #include "stories/modeling/subdivision_surface/limit_story.hpp"
 #include "stories/past.hpp"
@@ -43,9 +44,10 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
         star_(links, subject.vertex, star_centre, star_radius) {
     const View outer = outer_pictures();
     for (int k = 1; k <= subject.levels; ++k) {
-      const int shown = k > 1 && k == subject.levels ? k - 1 : k;
-      backgrounds_.push_back(outer);
-      add_level(backgrounds_.back(), "b", places[1], shown);
+      // The last level has a picture of its own
+      const bool is_known = k > 1 && k == subject.levels;
+      backgrounds_.push_back(is_known ? backgrounds_.back() : outer);
+      if (!is_known) add_level(backgrounds_.back(), "b", places[1], k);
     }
   }
 
@@ -118,6 +120,8 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
                       {"own", own},
                       {"near", near},
                       {"far", far},
+                      {"rest", 1 - own},
+                      {"vertex", subject_.vertex + 1},
                       {"smooth", s.rule.smooth}},
             .note = moved(),
             .row = {moved(), short_place(s.point)},
@@ -227,30 +231,24 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
       sum += weights_.of(i, point) * star_.places().at(weights_.vertices()[i]);
     return sum;
   }
-  /// A point of the star; those before the one at hand only where no weight is written.
+  /// A point of the star.
   template <class Found>
   void add_point(View& view, const Found& found, std::size_t point, Role role) const {
     const bool fresh = &found == now<Found>();
-    if (!fresh && (last<LevelDone>() || length_of(flat(point) - own_place(current())) < 2)) return;
+    if (!fresh && last<LevelDone>()) return;
     view.add({fmt::format("t {:05}", point), role, Dot{flat(point), !fresh}});
-  }
-  /// The point at hand, by its number in the next level.
-  std::size_t current() const {
-    if (const auto* f = now<FacePointFound<double>>()) return face_number(f->face);
-    if (const auto* e = now<EdgePointFound<double>>()) return edge_number(e->edge);
-    return at(subject_.vertex);
-  }
-  dvec2 own_place(std::size_t point) const {
-    return star_.own_place(point == at(subject_.vertex) ? dvec2{0} : flat(point));
   }
   void add_weights(View& view, std::size_t point, Role role) const {
     for (std::size_t i = 0; i < weights_.vertices().size(); ++i) {
       const double w = weights_.of(i, point);
       if (w == 0) continue;
       const std::int32_t v = weights_.vertices()[i];
-      if (v != subject_.vertex) view.add({fmt::format("w {:05}", v), Role::input, Dot{star_.places().at(v)}});
-      const dvec2 place = v == subject_.vertex ? own_place(point) : star_.beside(v);
-      view.add({fmt::format("x {:05}", v), role, Text{place, short_real(w), Align::centre, true}});
+      if (v == subject_.vertex) {
+        view.add({"x own", role, Label{star_centre, weight_text(w)}});
+        continue;
+      }
+      view.add({fmt::format("w {:05}", v), Role::input, Dot{star_.places().at(v)}});
+      view.add({fmt::format("x {:05}", v), role, Text{star_.beside(v), weight_text(w), Align::centre, true}});
     }
   }
   /// What the vertex itself, a neighbour and a corner across from it count; 0: nothing, -1: not all the same.
@@ -276,7 +274,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
       const double w = weights_.of(i, point);
       const std::int32_t v = weights_.vertices()[i];
       if (w != 0)
-        terms.push_back(fmt::format("{} · {}", short_real(w), short_place(subject_.mesh.points[at(v)])));
+        terms.push_back(fmt::format("{} · {}", weight_text(w), short_place(subject_.mesh.points[at(v)])));
     }
     const std::size_t most = terms.size() > 6 ? 5 : 6;
     int line = 0;
@@ -353,7 +351,7 @@ void tell_vertex(Narrator& narrator) {
   narrator.columns({{"point", false}, {"place", false}});
   narrator.legend({{Role::current, "vertex"},
                    {Role::accepted, "faces"},
-                   {Role::measure, "edges"},
+                   {Role::measure, way == Way::loop ? "edges.loop" : "edges"},
                    {Role::boundary, "sharp"},
                    {Role::rejected, "missing"},
                    {Role::result, "limit"}});
@@ -407,12 +405,22 @@ void tell_limit(Narrator& narrator) {
   narrator.legend({{Role::current, "vertex_point"},
                    {Role::measure, "edge_points"},
                    {Role::accepted, "face_points"},
+                   {Role::boundary, "normal"},
                    {Role::result, "limit"}});
   narrator.handles("move", [&](dvec3 way_gone) { return story.at(subject.place + way_gone); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   const Limit<double> end = limit(subject.mesh, subject.vertex, watch);
   narrator.result({{"x", end.point.x}, {"y", end.point.y}, {"z", end.point.z}});
+}
+
+/// The points round the vertex, in any order.
+const Checking& checking() {
+  static const Checking known{
+      .asked = {{"face_points", SameList::set, "FacePointFound", {"x", "y", "z"}},
+                {"edge_points", SameList::set, "EdgePointFound", {"x", "y", "z"}},
+                {"vertex_point", SameList::set, "VertexPointFound", {"x", "y", "z"}}}};
+  return known;
 }
 
 }  // namespace
@@ -440,20 +448,21 @@ const TopicEntry& entry() {
                    {.name = "always_four",
                     .standing = Standing::faulty,
                     .tell = tell_vertex<Way::always_four>}},
-       .parameters = {choice("shape", {"arch", "cube", "box", "pencil", "spot", "fish", "penguin"}, "arch",
-                             "cube", "the control mesh"),
-                      {"model", ParameterType::model, "", "MODEL.obj", "a control mesh of your own"},
-                      integer(1, 1 << 20, "vertex", "", "8",
-                              "whose points are told, counted from 1; without it one with most edges"),
-                      numbers("move", "0,0,0", "0,0.5,0", "how far that vertex is moved from its place", xyz,
-                              modest),
-                      integer(1, 4, "levels", "4", "2", "how often the mesh is subdivided"),
-                      points(
-                          1, 64, "creases", "", "1,2,1.5 2,4,10",
-                          "edges that stay sharp: two vertices, and for how many levels; from 10 on for ever",
-                          {"a", "b", "sharpness"}, {1e-3, 1 << 20}),
-                      faces_subject::towards_parameter("-3,2.4,5")},
-       .examples = {"--shape cube --levels 2", "--shape spot --vertex 8", "--method loop --shape cube"}});
+       .parameters =
+           {choice("shape", {"arch", "cube", "box", "pencil", "spot", "fish", "penguin"}, "arch", "cube",
+                   "the control mesh"),
+            {"model", ParameterType::model, "", "MODEL.obj", "a control mesh of your own"},
+            integer(
+                1, 1 << 20, "vertex", "", "8",
+                "whose points are told, counted from 1; without it one of five edges, or of nearly as many"),
+            numbers("move", "0,0,0", "0,0.5,0", "how far that vertex is moved from its place", xyz, modest),
+            integer(1, 4, "levels", "4", "2", "how often the mesh is subdivided"),
+            points(1, 64, "creases", "", "1,2,1.5 2,4,10",
+                   "edges that stay sharp: two vertices, and for how many levels; from 10 on for ever",
+                   {"a", "b", "sharpness"}, {1e-3, 1 << 20}),
+            faces_subject::towards_parameter("-3,2.4,5")},
+       .examples = {"--shape cube --levels 2", "--shape spot --vertex 8", "--method loop --shape cube"},
+       .checking = &checking()});
   return topic;
 }
 

@@ -195,7 +195,6 @@ class StarDrawing {
         places_.emplace(v, on_circle(static_cast<double>(k) + part, 1.22));
         rings_.back().push_back(places_[v]);
       }
-      gaps_.push_back(on_circle(static_cast<double>(k) + 0.5, n < 5 && ring.size() == 3 ? 0.42 : 0.57));
     }
   }
 
@@ -209,13 +208,6 @@ class StarDrawing {
     const double length = length_of(way);
     return places_.at(v) + way / length * (0.85 + 0.75 * std::abs(way.x) / length);
   }
-  /// Between two edges, for the weight of the vertex itself: not beside this point, and most to the right.
-  dvec2 own_place(dvec2 point) const {
-    const auto rank = [&](dvec2 gap) {
-      return std::pair(length_of(gap - point) > 2.2, std::round(8 * gap.x));
-    };
-    return *std::ranges::max_element(gaps_, {}, rank);
-  }
   void add_to(View& view) const {
     for (std::size_t k = 0; k < rings_.size(); ++k) {
       view.add({fmt::format("r {:02} inside", k), Role::past, Area{{rings_[k]}, 1}});
@@ -225,7 +217,6 @@ class StarDrawing {
 
  private:
   dvec2 centre_;
-  std::vector<dvec2> gaps_{};
   Star star_;
   std::map<std::int32_t, dvec2> places_{};
   std::vector<std::vector<dvec2>> rings_{};

@@ -45,7 +45,11 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
                     : near > 0 ? "limit.crease"
                                : "limit.corner",
             .facts = fields_of(s.point),
-            .words = {{"point", short_place(s.point)}, {"own", own}, {"near", near}, {"far", far}},
+            .words = {{"vertex", subject_.vertex + 1},
+                      {"point", short_place(s.point)},
+                      {"own", own},
+                      {"near", near},
+                      {"far", far}},
             .row = {words_.say("limit"), short_place(s.point)},
             .key = "limit",
             .phase = words_.say("limit")};
@@ -73,9 +77,9 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
     const double length = normal ? length_of(normal->normal) : 0;
     if (length > 0) {
       const dvec3 tip = found->point + 0.3 * size() / length * normal->normal;
-      view.add({"v normal", Role::measure,
+      view.add({"v normal", Role::boundary,
                 Stroke{pictures_.at(places[2], found->point), pictures_.at(places[2], tip), true}});
-      add_line(view, 6, Role::measure, "N = " + short_place(normal->normal / length));
+      add_line(view, 6, Role::boundary, "N = " + short_place(normal->normal / length));
     }
     return view;
   }
@@ -104,10 +108,12 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
       const double w = v == subject_.vertex ? own : is_near(v) ? near : far;
       if (w == 0) continue;
       const Role role = v == subject_.vertex ? Role::current : is_near(v) ? Role::measure : Role::accepted;
-      if (v != subject_.vertex) view.add({fmt::format("w {:05}", v), role, Dot{place}});
-      view.add({fmt::format("x {:05}", v), role,
-                Text{v == subject_.vertex ? star_.own_place({0, 0}) : star_.beside(v), short_real(w),
-                     Align::centre, true}});
+      if (v == subject_.vertex) {
+        view.add({"x own", role, Label{star_centre, weight_text(w)}});
+        continue;
+      }
+      view.add({fmt::format("w {:05}", v), role, Dot{place}});
+      view.add({fmt::format("x {:05}", v), role, Text{star_.beside(v), weight_text(w), Align::centre, true}});
     }
   }
   void add_sum(View& view, const LimitFound<double>& s) const {

@@ -21,6 +21,14 @@ inline constexpr std::size_t most_control_faces = 4000;
 inline std::string short_real(double value) {
   return figure_real(std::abs(value) < 0.0005 ? 0 : std::round(value * 1000) / 1000);
 }
+/// A weight: 0.4, and 1/16 where three digits would not be all of it.
+inline std::string weight_text(double weight) {
+  const auto is_whole = [](double x) { return std::abs(x - std::round(x)) < 1e-9; };
+  for (int below = 2; below <= 64 && !is_whole(1000 * weight); ++below) {
+    if (is_whole(below * weight)) return fmt::format("{:.0f}/{}", std::round(below * weight), below);
+  }
+  return short_real(weight);
+}
 inline std::string short_place(dvec3 p) { return figure_place(p, short_real); }
 
 /// Cubes side by side: the squares between inside and outside. Corners are numbered along x, then y, then z.
