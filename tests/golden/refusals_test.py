@@ -38,7 +38,12 @@ def test_wrong_input():
     cell = f"expected two whole numbers from {INT32} like 3,4, found "
     size = "--size: expected a width and a height like 1280x720 or 12cmx8cm (160 to 8192 pixels, 96 per inch), or a ratio like 4:3, found "
     steps = "--steps: expected steps like 3-9 or 1,4,9-12, found "
+    outline = "0,0 10,0 10,10 0,10; "
     table = [
+        (["run", "ear_clipping", "--method", "join_holes", "--rings", outline + "2,2 5,2 3,4; 5,2 8,2 7,4; 3,4 7,4 5,7"],
+         "--rings: expected an inside in one piece, found rings that touch in a circle at (7, 4)"),
+        (["run", "ear_clipping", "--method", "join_holes", "--rings", outline + "0,5 3,4 3,6; 3,6 5,7 2,10"],
+         "--rings: expected an inside in one piece, found rings that touch in a circle at (2, 10)"),
         # command, topic, flags
         (["lits"], "COMMAND: expected one of list, help, run, figure, source, cases, check, figures, worksheet, render, explain, demo, inspect, bench, stress, again, open, completion, man, found 'lits', did you mean 'list'?"),
         (["zzz"], "COMMAND: expected one of list, help, run, figure, source, cases, check, figures, worksheet, render, explain, demo, inspect, bench, stress, again, open, completion, man, found 'zzz'"),

@@ -155,7 +155,7 @@ class GrowingRing {
   }
 
   std::pair<int, int> edge(std::size_t place) const { return {corners_[place], corners_[next(place)]}; }
-  int farther(int a, int b) const { return at(a).x > at(b).x ? a : b; }
+  int rightmost(int a, int b) const { return at(a).x > at(b).x ? a : b; }
   std::size_t next(std::size_t place) const { return place + 1 < corners_.size() ? place + 1 : 0; }
 
  private:
@@ -225,7 +225,7 @@ inline void remove(std::vector<Hole>& holes, const Join& join) {
   holes.erase(holes.begin() + static_cast<std::ptrdiff_t>(join.hole));
 }
 
-/// The bridge of the hole that reaches farthest right: from its rightmost corner to the farther end of the
+/// The bridge of the hole that reaches farthest right: from its rightmost corner to the right end of the
 /// edge that a ray to the right meets first, or, where corners lie in the way, to the one next to the ray.
 template <class T, Observer<EdgeMet, InTheWay> O = Unobserved>
 Join bridge(const GrowingRing<T>& R, const std::vector<Hole>& H, O&& observer = {}) {
@@ -234,8 +234,8 @@ Join bridge(const GrowingRing<T>& R, const std::vector<Hole>& H, O&& observer = 
   auto e = R.met_from(m);
   expects(e.has_value(), "hole {} does not lie inside", H.back().number);
   auto [a, b] = R.edge(*e);
-  // To the edge's farther end
-  int v = R.farther(a, b);
+  // To its end farther right
+  int v = R.rightmost(a, b);
   if constexpr (observed<O>) observer(EdgeMet{H.back().number, m, a, b, v});
   // But for corners in the way
   for (int c : R.corners()) {

@@ -3,6 +3,9 @@
 
 #include "modeling/ear_clipping/ear_clipping.hpp"
 
+#include <numeric>
+#include <set>
+
 #include "core/faces.hpp"
 #include "core/record.hpp"
 #include "modeling/ear_clipping/ear_clipping_notes.hpp"
@@ -78,6 +81,25 @@ std::ptrdiff_t touches(const Points& one, const Points& other) {
          });
 }
 
+/// Rings that hang together already and touch once more enclose a part of the inside.
+void refuse_circles(const std::vector<Points>& rings) {
+  std::vector<std::size_t> chain(rings.size());
+  std::iota(chain.begin(), chain.end(), 0);
+  std::set<std::pair<double, double>> places;
+  for (const Points& ring : rings) {
+    for (const dvec2 p : ring) {
+      if (!places.emplace(p.x, p.y).second) continue;
+      std::set<std::size_t> there;
+      for (std::size_t i = 0; i < rings.size(); ++i) {
+        if (lies_on(rings[i], p) && !there.insert(chain[i]).second)
+          refuse("rings", "expected an inside in one piece, found rings that touch in a circle at {}",
+                 figure_place(p));
+      }
+      for (std::size_t& its : chain) its = there.contains(its) ? *there.begin() : its;
+    }
+  }
+}
+
 void refuse_unless_holes(const std::vector<Points>& rings) {
   for (std::size_t i = 1; i < rings.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
@@ -94,6 +116,7 @@ void refuse_unless_holes(const std::vector<Points>& rings) {
         refuse("rings", "expected holes inside the outline and beside each other: hole {} and {}", i, other);
     }
   }
+  refuse_circles(rings);
 }
 
 Subject rings_of(const Arguments& arguments) {

@@ -93,7 +93,8 @@ class Drawing {
     }
   }
   void add_triangle(View& view, const std::string& id, Role role, const Triangle& t, int shade = 0) const {
-    gradus::add_ring(view, id, role, {at(t[0]), at(t[1]), at(t[2])}, shade);
+    view.add({id + " inside", role, Area{{{at(t[0]), at(t[1]), at(t[2])}}, shade}});
+    add_sides(view, id, role, t);
   }
   /// One that was cut off: its tint, and thin lines.
   void add_cut_off(View& view, const std::string& id, const Triangle& t) const {
@@ -101,11 +102,9 @@ class Drawing {
     view.add({id + " inside", Role::result, Area{{ring}, 2}});
     view.add({id, Role::past, Path{ring, true}});
   }
-  /// One of the result: its sides are lines of their own, since those of slivers, joined, end in long points.
+  /// One of the result.
   void add_result(View& view, const std::string& id, const Triangle& t) const {
-    view.add({id + " inside", Role::result, Area{{{at(t[0]), at(t[1]), at(t[2])}}, 2}});
-    for (std::size_t i = 0; i < 3; ++i)
-      view.add({fmt::format("{} side {}", id, i), Role::result, Stroke{at(t[i]), at(t[(i + 1) % 3])}});
+    add_triangle(view, id, Role::result, t, 2);
   }
   /// A text in a triangle; false where there is no room.
   bool add_text(View& view, const std::string& id, Role role, const Triangle& t,
@@ -144,6 +143,12 @@ class Drawing {
   }
 
  private:
+  /// Lines of their own, since those of slivers, joined, end in long points.
+  void add_sides(View& view, const std::string& id, Role role, const Triangle& t) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      view.add({fmt::format("{} side {}", id, i), role, Stroke{at(t[i]), at(t[(i + 1) % 3])}});
+  }
+
   const Subject& subject_;
   Panel panel_;
 };

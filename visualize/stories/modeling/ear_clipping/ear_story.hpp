@@ -237,10 +237,7 @@ class EarStory : public Past<steps::Started, Tested, Cut, Finished> {
     for (std::size_t i = 0; choice_ == widest_of && i < others_.size(); ++i) {
       const std::string id = fmt::format("e other {:02}", i);
       drawing_.add_triangle(view, id, Role::candidate, named(others_[i]));
-      // Those that overlap it have their angles in the table alone
-      const auto shared = std::ranges::count_if(
-          c.triangle, [&](int corner) { return std::ranges::count(others_[i], corner) > 0; });
-      if (shared < 2) drawing_.add_angle(view, id + " angle", smallest_in(subject_, named(others_[i])), true);
+      drawing_.add_angle(view, id + " angle", smallest_in(subject_, named(others_[i])), false);
     }
     drawing_.add_triangle(view, "f cut", Role::current, t);
     drawing_.add_angle(view, "g angle", smallest_in(subject_, t), true);
