@@ -2,6 +2,7 @@
 #include "modeling/bezier_curve/bezier_curve.hpp"
 
 #include "modeling/bezier_curve/bezier_curve_notes.hpp"
+#include "modeling/bezier_curve/compensated.hpp"
 
 using namespace gradus::bezier_curve;
 
@@ -15,6 +16,9 @@ extern "C" {
 }
 [[gnu::flatten]] void machine_code_overwritten(Control control, double t, Point<2, double>& p) {
   p = overwritten<2, double>(control, t);
+}
+[[gnu::flatten]] void machine_code_compensated(Control control, double t, Point<2, double>& p) {
+  p = compensated<2>(control, t);
 }
 [[gnu::flatten]] void machine_code_bernstein(Control control, double t, Point<2, double>& p) {
   p = bernstein<2, double>(control, t);

@@ -1,7 +1,7 @@
 // The promises of Bézier curves: points, parts, polygons and chords within their roundings of the exact ones,
 // the polynomial taken by differences and Horner's rule; and never a point outside the hull.
 
-#include "modeling/bezier_curve/bezier_curve.hpp"
+#include "modeling/bezier_curve/compensated.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,6 +108,28 @@ const auto point_error = []<class T>(const std::vector<T>& numbers) -> double {
   if (!found) return 0;
   if (de_casteljau<2, T>(control, t, drop) != *found) return wrong;
   return off(*found, control, Exact(t), allowed(control, Exact(5, 2) * Exact(degree), degree));
+};
+/// In double alone; in parts of what a coordinate itself may lose, and of the little that may be lost
+/// besides.
+const auto compensated_error = []<class T>(const std::vector<T>& given) -> double {
+  const Input numbers(given.begin(), given.end());
+  const Points<2, double> control = control_in(numbers);
+  const double t = numbers.back();
+  const auto found = accepted([&] { return compensated<2>(control, t); });
+  if (found.has_value() != (taken(numbers) && largest_of<2, double>(control) <= largest_compensated))
+    return wrong;
+  if (!found) return 0;
+  if (compensated<2>(control, t, drop) != *found) return wrong;
+  const Exact unit = rounding_unit<double>(), squares(degree * degree);
+  double most = 0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Exact right = right_of(control, axis, Exact(t));
+    const Exact bound = unit * abs(right) +
+                        Exact(20) * squares * unit * unit * Exact(largest_of<2, double>(control)) +
+                        squares * Exact(0x1p-960);
+    most = std::max(most, in_bounds(abs(Exact((*found)[axis]) - right), bound));
+  }
+  return most;
 };
 const auto weights_error = []<class T>(const std::vector<T>& numbers) -> double {
   if (!taken(numbers)) return 0;
@@ -232,6 +254,8 @@ Domain bezier_curve() {
       "bezier_curve",
       {promise("points", "de Casteljau's point within 2.5 n u M of the exact one, M the largest coordinate",
                1000, point_error),
+       promise("compensated", "compensated points within u |p| + 20 n² u² M of the exact ones", 1000,
+               compensated_error),
        promise("weights", "the mean by Bernstein polynomials within (3 n + 4) u M", 1000, weights_error),
        promise("halves", "both parts are the curve within 2.5 n u M, and meet bit for bit", 150,
                halves_error),

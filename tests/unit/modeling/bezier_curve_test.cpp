@@ -14,6 +14,7 @@
 #include "core/random.hpp"
 #include "core/record.hpp"
 #include "modeling/bezier_curve/bezier_curve_notes.hpp"
+#include "modeling/bezier_curve/compensated.hpp"
 #include "support/documented.hpp"
 
 namespace gradus::bezier_curve {
@@ -85,6 +86,26 @@ TEST(BezierCurve, StepsFollowTheGrammarAndObservedEqualsUnobserved) {
   }
 }
 
+TEST(BezierCurve, WhatRoundingsTakeIsKeptBesideEachPoint) {
+  const Control zigzag{{0, 6}, {4, -6}, {8, 6}, {12, -6}, {16, 6}, {20, -6}};
+  Recorder<Kept<2>, Reached<2, double>> seen;
+  const dvec2 point = compensated<2>(zigzag, 0.49, seen);
+  EXPECT_EQ(point, (compensated<2>(zigzag, 0.49)));
+  EXPECT_EQ(all<Kept<2>>(seen).size(), 15u);
+  const ExactScope scope;
+  const auto right = de_casteljau<2, Exact>(exactly(zigzag), Exact(0.49));
+  EXPECT_EQ(point, (dvec2{to_double(right.x), to_double(right.y)}));
+  EXPECT_NE(point.y, point_of(zigzag, 0.49).y);
+  // The points are those of the plain rounds, and each with its loss is nearly the exact one
+  Points<2, Exact> round = exactly(zigzag);
+  for (const Kept<2>& k : all<Kept<2>>(seen)) {
+    EXPECT_EQ(k.mixed.point, (1 - 0.49) * k.mixed.a + 0.49 * k.mixed.c);
+    Exact& y = round[k.mixed.i].y;
+    y = (Exact(1) - Exact(0.49)) * y + Exact(0.49) * round[k.mixed.i + 1].y;
+    EXPECT_LE(to_double(abs(Exact(k.mixed.point.y) + Exact(k.lost.y) - y)), 0x1p-98);
+  }
+}
+
 TEST(BezierCurve, MistakesAreNamed) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Control& control : {Control{{0, 0}}, Control(26), {{0, 0}, {nan, 1}}, {{0, 0}, {1e308, 1}}})
@@ -93,8 +114,10 @@ TEST(BezierCurve, MistakesAreNamed) {
     EXPECT_THROW(point_of(s_curve, t), ContractViolation);
     EXPECT_THROW((bernstein<2, double>(s_curve, t)), ContractViolation);
     EXPECT_THROW((split<2, double>(s_curve, t)), ContractViolation);
+    EXPECT_THROW((compensated<2>(s_curve, t)), ContractViolation);
   }
   EXPECT_THROW((raise_degree<2, double>(Control(25, dvec2{1}))), ContractViolation);
+  EXPECT_THROW((compensated<2>(Control{{0, 0}, {0x1p901, 1}}, 0.5)), ContractViolation);
   for (const double tolerance : {0.0, -1.0, nan, 1e-8})
     EXPECT_THROW((flatten<2, double>(s_curve, tolerance)), ContractViolation);
 }
@@ -137,6 +160,26 @@ TEST(BezierCurve, RoundingsAreAsThePageMeasuredThem) {
       page, "400 random curves are off by {} u M at most where the degree is 3, {} where it is 12",
       {cubic, twelfth}));
   EXPECT_LE(std::max(cubic, twelfth), 4);  // an ulp of M is at least u M
+}
+
+TEST(BezierCurve, CancelledDigitsAreLostOrKeptAsThePageMeasuredThem) {
+  // The height of a zigzag of degree 5 is (1 - 2 t)^5
+  double plain = 0, kept = 0;
+  for (int k = 5; k <= 400; ++k) {
+    const ExactScope scope;
+    Control zigzag;
+    for (int i = 0; i <= 5; ++i) zigzag.push_back({0, i % 2 == 0 ? 1 : -1});
+    const double t = 0.5 + k / 1000.0;
+    const Exact right = de_casteljau<2, Exact>(exactly(zigzag), Exact(t)).y;
+    const double ulp = std::ldexp(0x1p-52, std::ilogb(to_double(right)));
+    const auto off = [&](double found) { return to_double(abs(Exact(found) - right)) / ulp; };
+    plain = std::max(plain, off(point_of(zigzag, t).y));
+    kept = std::max(kept, off(compensated<2>(zigzag, t).y));
+  }
+  EXPECT_LE(kept, 4);
+  EXPECT_TRUE(test::states(
+      page, "plain points are off by up to {} units in their own last place, compensated ones by {}",
+      {plain, kept}));
 }
 
 }  // namespace

@@ -4,10 +4,12 @@
 #include "modeling/bezier_curve/bezier_curve.hpp"
 
 #include "modeling/bezier_curve/bezier_curve_notes.hpp"
+#include "modeling/bezier_curve/compensated.hpp"
 #include "stories/modeling/bezier_curve/checking.hpp"
 #include "stories/modeling/bezier_curve/chords_story.hpp"
 #include "stories/modeling/bezier_curve/drawing.hpp"
 #include "stories/modeling/bezier_curve/raised_story.hpp"
+#include "stories/modeling/bezier_curve/roundings_drawing.hpp"
 #include "stories/modeling/bezier_curve/weights_story.hpp"
 #include "stories/parameters.hpp"
 #include "stories/past.hpp"
@@ -17,7 +19,8 @@ namespace {
 
 using PointMixed = Mixed<2, double>;
 
-constexpr Extent above_slider{{2, 6}, {34, 25.5}}, whole_paper{{2, 1.5}, {34, 25.5}};
+constexpr Extent above_slider{{2, 6}, {34, 25.5}}, beside_plot{{1.5, 6}, {20.5, 25.5}},
+    whole_paper{{2, 1.5}, {34, 25.5}};
 
 Subject subject_of(const Arguments& arguments) {
   const Subject subject{arguments.points("control"), arguments.number("t").value_or(0),
@@ -31,10 +34,15 @@ Subject subject_of(const Arguments& arguments) {
 
 class RoundsStory : public Past<steps::Started, PointMixed, Reached<2, double>, Halves<2, double>> {
  public:
-  enum class Kind { point, halves, overwritten };
+  enum class Kind { point, halves, overwritten, compensated };
 
   RoundsStory(const Words& words, const Subject& subject, const CurveDrawing& drawing, Kind kind)
-      : words_(words), subject_(subject), drawing_(drawing), kind_(kind) {}
+      : words_(words), subject_(subject), drawing_(drawing), kind_(kind) {
+    if (kind == Kind::compensated) roundings_.emplace(subject);
+  }
+
+  /// What the roundings took up to the point that is told next.
+  void keep(dvec2 lost) { lost_ = lost; }
 
   /// Of few points a round is a row of the table.
   bool by_round() const { return subject_.degree() <= most_by_round && kind_ != Kind::overwritten; }
@@ -59,10 +67,10 @@ class RoundsStory : public Past<steps::Started, PointMixed, Reached<2, double>, 
                           {"second", second_of(m)},
                           {"t", subject_.t},
                           {"s", 1 - subject_.t},
-                          {"a", m.a},
-                          {"c", m.c},
-                          {"point", m.point}},
-                .note = fmt::format("{} = {}", name, figure_place(m.point)),
+                          {"a", shown(m.a)},
+                          {"c", shown(m.c)},
+                          {"point", shown(m.point)}},
+                .note = fmt::format("{} = {}", name, figure_place(shown(m.point))),
                 .key = name,
                 .phase = words_.say("phase.round", {{"round", m.round}}),
                 .decides = nearer(m, name)};
@@ -74,6 +82,10 @@ class RoundsStory : public Past<steps::Started, PointMixed, Reached<2, double>, 
                                            : "mixed.last";
       if (wrong) event.words.push_back({"right", right_point()});
       if (wrong) event.words.push_back({"off", length_between(m.point, right_point())});
+    }
+    if (kind_ == Kind::compensated) {
+      event.text = last ? "mixed.compensated.last" : "mixed.compensated";
+      event.words.push_back({"lost", lost_});
     }
     if (last && kind_ == Kind::halves) {
       event.words.push_back({"part", names_of_parts().first});
@@ -91,14 +103,16 @@ class RoundsStory : public Past<steps::Started, PointMixed, Reached<2, double>, 
             std::array{"first", "second", "middle"}[answer]};
   }
   Event say(const Reached<2, double>& r) const {
-    Event event{.text = kind_ == Kind::overwritten ? "reached.missed" : "reached",
-                .words = {{"point", r.point}, {"t", subject_.t}}};
+    Event event{.text = kind_ == Kind::overwritten   ? "reached.missed"
+                        : kind_ == Kind::compensated ? "reached.compensated"
+                                                     : "reached",
+                .words = {{"point", shown(r.point)}, {"t", subject_.t}}};
     if (kind_ == Kind::overwritten) event.words.push_back({"right", right_point()});
     event.ends = true;
     return event;
   }
   Event say(const Halves<2, double>& h) const {
-    return {.text = "halves", .words = {{"point", h.rest.front()}}, .ends = true};
+    return {.text = "halves", .words = {{"point", shown(h.rest.front())}}, .ends = true};
   }
 
   /// The last point of the triangle.
@@ -122,6 +136,7 @@ class RoundsStory : public Past<steps::Started, PointMixed, Reached<2, double>, 
     if (kind_ == Kind::halves) add_outer(view);
     if (kind_ == Kind::overwritten && last_is_reached())
       view.add_named("i right", Role::accepted, drawing_.at(right_point()), words_.say("right"));
+    if (roundings_) roundings_->add_to(view, words_);
     slider_.add_to(view, words_.symbol("t"));
     return view;
   }
@@ -132,6 +147,7 @@ class RoundsStory : public Past<steps::Started, PointMixed, Reached<2, double>, 
   /// Of more the points of old rounds have no names.
   static constexpr Index most_names = 4;
 
+  dvec2 shown(dvec2 p) const { return without_dust(p, subject_.control); }
   dvec2 right_point() const { return point_at(subject_.control, subject_.t); }
   std::string last_name() const { return name_of(subject_.degree(), 0); }
   bool last_is_reached() const {
@@ -151,13 +167,13 @@ class RoundsStory : public Past<steps::Started, PointMixed, Reached<2, double>, 
       for (const dvec2 p : subject_.control) row.emplace_back(p);
     }
     for (const PointMixed& m : all<PointMixed>()) {
-      if (m.round == round) row.emplace_back(m.point);
+      if (m.round == round) row.emplace_back(shown(m.point));
     }
     return row;
   }
   void put_row(Event& event, const PointMixed& m, const std::string& name) const {
     if (!by_round())
-      event.row = {name, fmt::format("{}, {}", name_of(m.round - 1, m.i), second_of(m)), m.point};
+      event.row = {name, fmt::format("{}, {}", name_of(m.round - 1, m.i), second_of(m)), shown(m.point)};
     else
       (m.i == 0 ? event.row : event.read) = row_of(m.round);
   }
@@ -240,6 +256,8 @@ class RoundsStory : public Past<steps::Started, PointMixed, Reached<2, double>, 
   const Subject& subject_;
   const CurveDrawing& drawing_;
   const Kind kind_;
+  dvec2 lost_{};
+  std::optional<RoundingsDrawing> roundings_;
   const Slider slider_{subject_.t, kind_ == Kind::halves ? Role::input : Role::measure};
 };
 
@@ -250,15 +268,32 @@ void set_up(Narrator& narrator, const Subject& subject, const CurveDrawing& draw
   narrator.handles("control", shown_in(drawing.panel()));
 }
 
+/// A point is told as ever; what it has lost is in its sentence.
+auto with_losses(RoundsStory& story, const auto& watch) {
+  return [&story, &watch]<class Step>(const Step& step, int line = __builtin_LINE(),
+                                      const char* file = __builtin_FILE()) {
+    if constexpr (std::same_as<Step, Kept<2>>) {
+      story.keep(step.lost);
+      watch(step.mixed, line, file);
+    } else {
+      watch(step, line, file);
+    }
+  };
+}
+
 template <RoundsStory::Kind kind>
 void tell_rounds(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
-  const CurveDrawing drawing(subject, above_slider);
+  constexpr bool halves = kind == RoundsStory::Kind::halves,
+                 compensates = kind == RoundsStory::Kind::compensated;
+  const CurveDrawing drawing(subject, compensates ? beside_plot : above_slider);
   set_up(narrator, subject, drawing);
-  constexpr bool halves = kind == RoundsStory::Kind::halves;
   narrator.legend({{Role::input, "polygon"},
-                   {Role::accepted, halves ? "curve_or_rest" : "curve"},
+                   {Role::accepted, halves        ? "curve_or_rest"
+                                    : compensates ? "curve_or_compensated"
+                                                  : "curve"},
                    {Role::past, "rounds"},
+                   {Role::rejected, "plain"},
                    {Role::measure, "share"},
                    {Role::current, "edge"},
                    {Role::result, halves ? "first" : "point"}});
@@ -279,6 +314,8 @@ void tell_rounds(Narrator& narrator) {
     point = de_casteljau<2, double>(control, subject.t, watch);
   else if constexpr (kind == RoundsStory::Kind::overwritten)
     point = overwritten<2, double>(control, subject.t, watch);
+  else if constexpr (compensates)
+    point = compensated<2>(control, subject.t, with_losses(story, watch));
   else
     point = split<2, double>(control, subject.t, watch).rest.front();
   narrator.result({{"x", point.x}, {"y", point.y}});
@@ -328,8 +365,16 @@ const TopicEntry& entry() {
                     .tell = tell_rounds<Kind::halves>,
                     .function = "cut_at",
                     .unread = {"tolerance", "times"}},
-                   {.name = "raise_degree", .tell = tell_raise_degree, .unread = {"t", "tolerance"}},
+                   {.name = "raise_degree",
+                    .tell = tell_raise_degree,
+                    .unread = {"t", "tolerance"},
+                    .opening = {{"control", "0,0 2,14 13,16 20,2"}}},
                    {.name = "flatten", .tell = tell_flatten<false>, .unread = {"t", "times"}},
+                   {.name = "compensated",
+                    .tell = tell_rounds<Kind::compensated>,
+                    .file = "compensated.hpp",
+                    .unread = {"tolerance", "times"},
+                    .opening = {{"control", "0,6 4,-6 8,6 12,-6 16,6 20,-6"}, {"t", "0.45"}}},
                    {.name = "overwritten",
                     .standing = Standing::faulty,
                     .tell = tell_rounds<Kind::overwritten>,
@@ -344,7 +389,8 @@ const TopicEntry& entry() {
                       number("tolerance", "1.5", "0.1", "how far a chord may be from the curve", {1e-6, 1e6}),
                       integer(1, 6, "times", "1", "4", "how often the degree is raised")},
        .examples = {"--t 1/2", "--method split --control '0,0 4,8 8,0' --t 1/2",
-                    "--method flatten --tolerance 0.1"},
+                    "--method flatten --tolerance 0.1",
+                    "--method compensated --control '0,6 4,-6 8,6 12,-6 16,6 20,-6' --t 0.49"},
        .checking = &checking()});
   return topic;
 }

@@ -68,10 +68,38 @@ class ChordsStory : public Past<steps::Started, Flattened<2, double>, Halved<2, 
   }
 
  private:
+  /// What lies farthest from its place on the chord: of the control points, or the middle.
+  struct Measured {
+    dvec2 point, foot;
+    double distance = -1;
+  };
+  Measured measured(const Control& b) const {
+    if (by_middle_) return {point_at(b, 0.5), 0.5 * (b.front() + b.back()), 0};
+    Measured most{b.front(), b.front()};
+    for (Index i = 1; i + 1 < b.size(); ++i) {
+      const double distance = length_between(b[i], place_on_chord(b, i));
+      if (distance > most.distance) most = {b[i], place_on_chord(b, i), distance};
+    }
+    return most;
+  }
+  static dvec2 place_on_chord(const Control& b, Index i) {
+    const double share = static_cast<double>(i) / static_cast<double>(b.size() - 1);
+    return (1 - share) * b.front() + share * b.back();
+  }
+  /// "3/4": so much of that the curve may be off where the degree is 3.
+  static std::string part_of(Index degree) {
+    const Index whole = Index{1} << (degree - 1);
+    return fmt::format("{}/{}", whole - 1, whole);
+  }
+  /// "3/4 · 1.584".
+  std::string bound(const Control& b) const {
+    return fmt::format("{} · {}", part_of(b.size() - 1), figure_real(std::max(0.0, measured(b).distance)));
+  }
+
   Event tested(const Piece<2, double>& piece, double off, bool flat) const {
     const std::vector<std::string> answers{words_.say("answer.halve"), words_.say("answer.keep")};
     return {.facts = {{"from", piece.from}, {"to", piece.to}, {"off", off}, {"flat", flat}},
-            .words = {{"tolerance", subject_.tolerance}},
+            .words = {{"tolerance", subject_.tolerance}, {"bound", bound(piece.b)}},
             .row = {piece.from, piece.to, off, answers[flat ? 1 : 0]},
             .key = fmt::format("{:g}-{:g}", piece.from, piece.to),
             .decides = Decision{words_.say("question", {{"from", piece.from},
@@ -103,25 +131,24 @@ class ChordsStory : public Past<steps::Started, Flattened<2, double>, Halved<2, 
     drawing_.add_curve(view, "f piece", Role::current, piece.from, piece.to);
     view.add({"f chord", kept ? Role::result : Role::rejected,
               Stroke{drawing_.at(b[0]), drawing_.at(b[n]), false, !kept}});
-    Farthest most{b[0], -1};
-    dvec2 foot{};
-    for (Index i = 1; i < n && !by_middle_; ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(n);
-      const dvec2 even = (1 - share) * b[0] + share * b[n];
-      if (length_between(b[i], even) > most.distance) most = {b[i], length_between(b[i], even)}, foot = even;
-    }
+    const Measured most = measured(b);
     if (by_middle_) {
-      most = {point_at(b, 0.5), 0};
-      foot = 0.5 * (b[0] + b[n]);
       add_swing(view, b);
     } else {
+      for (Index i = 1; i < n; ++i)
+        view.add(
+            {fmt::format("h place {:02}", i), Role::measure, Dot{drawing_.at(place_on_chord(b, i)), true}});
       view.add({"g polygon", Role::guide, Path{drawing_.panel().at(b), false, true}});
       for (Index i = 1; i < n; ++i)
         view.add({fmt::format("h control {:02}", i), Role::guide, Dot{drawing_.at(b[i]), true}});
     }
     if (most.distance < 0) return;
-    if (foot != most.point)
-      view.add({"i off", Role::measure, Stroke{drawing_.at(foot), drawing_.at(most.point), true}});
+    if (most.foot != most.point) {
+      const dvec2 foot = drawing_.at(most.foot), end = drawing_.at(most.point);
+      view.add({"i off", Role::measure, Stroke{foot, end, true}});
+      if (!by_middle_)
+        view.add({"i off length", Role::measure, Label{0.5 * (foot + end), figure_real(most.distance)}});
+    }
     view.add({"i off end", Role::measure, Dot{drawing_.at(most.point)}});
   }
   /// How far the curve is from its chord where nobody looks.

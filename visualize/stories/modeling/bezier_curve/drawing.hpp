@@ -28,6 +28,12 @@ inline std::string name_of(Index round, Index i) {
 
 inline dvec2 point_at(const Control& control, double t) { return de_casteljau<2, double>(control, t); }
 
+/// A coordinate that is nothing but roundings is 0.
+inline dvec2 without_dust(dvec2 p, const Control& control) {
+  const double least = 0x1p-49 * largest_of<2, double>(control);
+  return {std::abs(p.x) < least ? 0 : p.x, std::abs(p.y) < least ? 0 : p.y};
+}
+
 /// The points of a curve from t = a to b.
 inline Control points_of(const Control& control, double a = 0, double b = 1) {
   constexpr int pieces = 64;
