@@ -15,6 +15,7 @@ constexpr int fine = 3;                            ///< samples to a pixel, eith
 constexpr dvec3 colour{0.32, 0.47, 0.6};           ///< of the surface, light
 constexpr dvec3 to_light{-0.35, 0.8, 0.5};         ///< as the reader has it: see shade_of
 constexpr double ambient = 0.3, line_light = 0.2;  ///< parts of the colour
+constexpr double in_band = 0.3;                    ///< part of the light in a dark band
 constexpr double half_line = 1.4;                  ///< of a line between faces, in samples
 
 struct Sample {
@@ -43,6 +44,10 @@ class SurfacePicture {
       const dvec3 area = area_of(f);
       for (const auto v : faces[f]) of(v).normal += area;
     }
+    for (std::size_t i = 0; i < look.normals.size(); ++i) {
+      const dvec3 n = look.normals[i];
+      seen_[i].normal = {glm::dot(n, look.right), glm::dot(n, look.up), glm::dot(n, look.towards)};
+    }
   }
 
   std::shared_ptr<const Image> picture() {
@@ -66,12 +71,13 @@ class SurfacePicture {
       sum += glm::cross(of(ring[i]).at - of(ring[0]).at, of(ring[i + 1]).at - of(ring[0]).at);
     return sum;
   }
-  static float light_of(dvec3 normal) {
+  float light_of(dvec3 normal) const {
     const double length = std::sqrt(glm::dot(normal, normal));
     if (!(length > 0)) return static_cast<float>(ambient);
     const bool away = normal.z < 0;
     const double facing = std::max(0.0, glm::dot(normal, to_light) / length * (away ? -1 : 1));
-    return static_cast<float>((away ? 0.6 : 1) * (ambient + (1 - ambient) * facing));
+    const bool dark = std::fmod(std::floor(glm::dot(normal, look_.bands) / length), 2) != 0;
+    return static_cast<float>((away ? 0.6 : 1) * (dark ? in_band : 1) * (ambient + (1 - ambient) * facing));
   }
 
   void draw(std::size_t f) {

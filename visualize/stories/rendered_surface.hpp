@@ -14,10 +14,15 @@ namespace gradus {
 
 /// How a surface is looked at: by a reader far away, who sees this rectangle of the plane across his way.
 struct SurfaceLook {
-  dvec3 right, up, towards;  ///< of length 1, across each other
-  Extent shown;              ///< by right and up
-  int width = 320;           ///< of the picture in pixels; its height follows from what is shown
-  bool faceted = false;      ///< faces are flat, with lines between them; else the surface is smooth
+  dvec3 right, up, towards;          ///< of length 1, across each other
+  Extent shown;                      ///< by right and up
+  int width = 320;                   ///< of the picture in pixels; its height follows from what is shown
+  bool faceted = false;              ///< faces are flat, with lines between them; else the surface is smooth
+  std::span<const dvec3> normals{};  ///< of the points, where they are known; else means of their faces'
+  /// Not 0: dark bands of equal angle between the normals and this direction, as the reader has it; the
+  /// longer it is, the narrower they are. Where the surface has a crease they break, where its curvature
+  /// jumps they have a corner.
+  dvec3 bands{0};
 };
 
 /// The nearest face in each pixel, in light from the upper left in front; where there is none the picture is

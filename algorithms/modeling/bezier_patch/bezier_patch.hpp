@@ -209,9 +209,9 @@ Frame<T> de_casteljau(const Patch<T>& patch, const T& u, const T& v, O&& observe
     // A row at u
     auto row = patch.row(j);
     auto b = reduced(row, u);
+    if constexpr (observed<O>) observer(RowReduced<T>{j, row, b});
     B.push_back(b.point);
     D.push_back(b.first);
-    if constexpr (observed<O>) observer(RowReduced<T>{j, row, b});
   }
   // The column of points at v
   const auto S = reduced(B, v);
@@ -293,7 +293,8 @@ Patch<T> join(const Patch<T>& P, Patch<T> Q, Order order, T k, O&& observer = {}
   expect_joint(P, Q);
   expects(T(0) < k && k <= T(16), "an edge is up to 16 times as long, and longer than 0");
   expects(order != Order::C2 || P.rows() >= 3, "second derivatives take three rows, not {}", P.rows());
-  const Index n = P.columns, m = P.rows() - 1;
+  const Index n = P.columns;
+  const Index m = P.rows() - 1;
   for (Index i = 0; i < n; ++i) {
     // The border is shared
     Q(0, i) = P(m, i);
