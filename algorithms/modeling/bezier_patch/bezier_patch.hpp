@@ -76,7 +76,7 @@ struct Seam {
 
 /// What two patches have in common where they meet: the border; the tangent planes; the first derivatives;
 /// the second ones, too.
-enum class Order : std::uint8_t { C0, G1, C1, C2 };
+enum class Continuity : std::uint8_t { C0, G1, C1, C2 };
 
 // --- Steps -------------------------------------------------------
 
@@ -289,10 +289,10 @@ void expect_joint(const Patch<T>& first, const Patch<T>& second) {
 /// Cost: at most five sums per control point and coordinate.
 /// Errors: ContractViolation outside the domain.
 template <class T, Observer<RowSet<T>> O = Unobserved>
-Patch<T> join(const Patch<T>& P, Patch<T> Q, Order order, T k, O&& observer = {}) {
+Patch<T> join(const Patch<T>& P, Patch<T> Q, Continuity order, T k, O&& observer = {}) {
   expect_joint(P, Q);
   expects(T(0) < k && k <= T(16), "an edge is up to 16 times as long, and longer than 0");
-  expects(order != Order::C2 || P.rows() >= 3, "second derivatives take three rows, not {}", P.rows());
+  expects(order != Continuity::C2 || P.rows() >= 3, "second derivatives take three rows, not {}", P.rows());
   const Index n = P.columns;
   const Index m = P.rows() - 1;
   for (Index i = 0; i < n; ++i) {
@@ -300,11 +300,11 @@ Patch<T> join(const Patch<T>& P, Patch<T> Q, Order order, T k, O&& observer = {}
     Q(0, i) = P(m, i);
   }
   if constexpr (observed<O>) observer(RowSet<T>{0, Q.row(0)});
-  if (order == Order::C0) {
+  if (order == Continuity::C0) {
     return Q;
   }
   // C1 and C2: as long, too
-  if (order != Order::G1) {
+  if (order != Continuity::G1) {
     k = T(1);
   }
   for (Index i = 0; i < n; ++i) {
@@ -314,7 +314,7 @@ Patch<T> join(const Patch<T>& P, Patch<T> Q, Order order, T k, O&& observer = {}
     Q(1, i) = b + k * (b - a);
   }
   if constexpr (observed<O>) observer(RowSet<T>{1, Q.row(1)});
-  if (order != Order::C2) {
+  if (order != Continuity::C2) {
     return Q;
   }
   for (Index i = 0; i < n; ++i) {

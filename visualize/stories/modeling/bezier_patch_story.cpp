@@ -216,7 +216,7 @@ void tell_point(Narrator& narrator) {
 template <bool back>
 void tell_join(Narrator& narrator) {
   const JoinSubject subject = join_subject_of(narrator.arguments());
-  const auto joined = [&](Order order, const auto&... watch) {
+  const auto joined = [&](Continuity order, const auto&... watch) {
     if constexpr (back)
       return turned_back(subject.first, subject.second, order, subject.k, watch...);
     else

@@ -20,7 +20,7 @@ namespace gradus::bezier_patch {
 struct JoinSubject {
   Net first, second;
   double k;
-  Order order;
+  Continuity order;
   faces_subject::Reader reader;
 };
 
@@ -32,14 +32,14 @@ inline double degrees(double radians) { return radians * (180 / glm::pi<double>(
 inline JoinSubject join_subject_of(const Arguments& arguments) {
   const auto order = std::ranges::find(order_names, arguments.text("order")) - order_names.begin();
   JoinSubject subject{net_of(arguments, "control"), net_of(arguments, "second"), *arguments.number("k"),
-                      static_cast<Order>(order), faces_subject::reader_of(arguments)};
+                      static_cast<Continuity>(order), faces_subject::reader_of(arguments)};
   if (!(0 < subject.k && subject.k <= 16))
     refuse("k", "expected a length above 0, up to 16, found {}", subject.k);
   if (subject.first.rows() != subject.second.rows())
     refuse(arguments, {"second", "control"},
            fmt::format("expected as many rows in both patches, found {} and {}", subject.first.rows(),
                        subject.second.rows()));
-  if (subject.order == Order::C2 && subject.first.rows() < 3)
+  if (subject.order == Continuity::C2 && subject.first.rows() < 3)
     refuse(arguments, {"order", "control", "columns"}, "expected at least three rows for C2, found two");
   return subject;
 }
@@ -376,7 +376,7 @@ template <class Joined>
 Net tell_orders(Narrator& narrator, const JoinSubject& subject, const Joined& joined) {
   std::vector<Net> nets{subject.second};
   const auto last = static_cast<std::size_t>(subject.order);
-  for (std::size_t k = 0; k <= last; ++k) nets.push_back(joined(static_cast<Order>(k)));
+  for (std::size_t k = 0; k <= last; ++k) nets.push_back(joined(static_cast<Continuity>(k)));
   const auto has_normals = [&] {
     const SectionPlane plane(subject.first);
     const Section whole(subject.first, plane);
@@ -410,7 +410,7 @@ Net tell_orders(Narrator& narrator, const JoinSubject& subject, const Joined& jo
       watch(step, line, file);
       story.set_at(narrator.line());
     };
-    joined(static_cast<Order>(k), its_row);
+    joined(static_cast<Continuity>(k), its_row);
     measure(subject.first, nets[k + 1], places_measured, watch);
   }
   watch(steps::Finished{}, 0);
