@@ -356,7 +356,7 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
                   Stroke{shown.at(s.curve[i]), tips.back(), false, false, true}});
     }
     if (scale > 0) view.add({id + " comb", Role::measure, Path{tips}});
-    view.add({id, role, Path{shown.at(s.curve)}});
+    view.add({"n " + id, role, Path{shown.at(s.curve)}});
   }
 
   const Words& words_;
