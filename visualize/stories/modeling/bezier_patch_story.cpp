@@ -28,10 +28,10 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
             .words = {{"name", name_of(r.row)},
                       {"number", r.row},
                       {"u", uv_.x},
-                      {"point", short_place(r.at.point)},
-                      {"first", short_place(r.at.first)}},
+                      {"point", shown(r.at.point)},
+                      {"first", shown(r.at.first)}},
             .note = name_of(r.row),
-            .row = {name_of(r.row), short_place(r.at.point), short_place(r.at.first)},
+            .row = {name_of(r.row), shown(r.at.point), shown(r.at.first)},
             .key = name_of(r.row),
             .phase = words_.say("phase.rows")};
   }
@@ -41,39 +41,38 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
             .words = {{"first", name_of(0)},
                       {"last", name_of(net_.rows() - 1)},
                       {"v", uv_.y},
-                      {"point", short_place(r.point)},
-                      {"right", short_place(right().point)},
-                      {"off", short_real(length_between(r.point, right().point))}},
+                      {"point", shown(r.point)},
+                      {"right", shown(right().point)},
+                      {"off", length_between(r.point, right().point)}},
             .note = fmt::format("S = {}", short_place(r.point)),
-            .row = {"S", short_place(r.point)},
+            .row = {"S", shown(r.point)},
             .key = "S",
             .phase = words_.say("phase.column")};
   }
   Event say(const TangentsFound<double>& t) const {
     return {.text = "tangents",
             .facts = fields_of(t.along_u),
-            .words = {{"along_u", short_place(t.along_u)}, {"along_v", short_place(t.along_v)}},
-            .read = {"S", short_place(last<Reached<double>>()->point), short_place(t.along_u)},
+            .words = {{"along_u", shown(t.along_u)}, {"along_v", shown(t.along_v)}},
+            .read = {"S", shown(last<Reached<double>>()->point), shown(t.along_u)},
             .key = "S",
             .phase = words_.say("phase.frame")};
   }
   Event say(const NormalFound<double>& n) const {
     const double length = length_of(n.normal);
     const bool by_limit = is_defined() && (tangent_u() == dvec3{0} || tangent_v() == dvec3{0});
-    return {.text = !is_defined() ? "normal.none"
-                    : by_limit    ? "normal.limit"
-                    : transposed_ ? "normal.transposed"
-                                  : "normal",
-            .facts = fields_of(n.normal),
-            .words = {{"normal", short_place(n.normal)},
-                      {"unit", short_place(unit_vector(n.normal))},
-                      {"length", short_real(length)}},
-            .note = fmt::format("N = {}", short_place(n.normal)),
-            .row = {"N", short_place(n.normal)},
-            .key = "N",
-            .phase = words_.say("phase.frame"),
-            .ends = true,
-            .decides = yes_or_no(words_, "question.normal", {}, is_defined(), "normal", "none")};
+    return {
+        .text = !is_defined() ? "normal.none"
+                : by_limit    ? "normal.limit"
+                : transposed_ ? "normal.transposed"
+                              : "normal",
+        .facts = fields_of(n.normal),
+        .words = {{"normal", shown(n.normal)}, {"unit", shown(unit_vector(n.normal))}, {"length", length}},
+        .note = fmt::format("N = {}", short_place(n.normal)),
+        .row = {"N", shown(n.normal)},
+        .key = "N",
+        .phase = words_.say("phase.frame"),
+        .ends = true,
+        .decides = yes_or_no(words_, "question.normal", {}, is_defined(), "normal", "none")};
   }
 
   /// The last one has all of it.
@@ -93,7 +92,7 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
     if (reached) {
       view.add({"t curve", Role::accepted, drawing_.path(curve_of(reached->column))});
       if (now<Reached<double>>()) add_rounds(view, reached->column, uv_.y);
-      add_in_square(view, "q v", Role::measure, {0, uv_.y}, {1, uv_.y});
+      add_in_square(view, "q v", Role::measure, {0, uv_.y}, {1, uv_.y}, true);
       add_name(view, "y S", Role::result, reached->point, "S");
       if (missed()) add_name(view, "y right", Role::accepted, right().point, words_.say("right"));
     }
@@ -114,6 +113,11 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
     std::ranges::move(fields_of(r.at.point), std::back_inserter(fields));
     return fields;
   }
+  /// Without what is only a rounding.
+  dvec3 shown(dvec3 p) const {
+    for (int axis = 0; axis < 3; ++axis) p[axis] = std::abs(p[axis]) < 1e-12 * drawing_.size() ? 0 : p[axis];
+    return p;
+  }
   Frame<double> right() const { return de_casteljau(net_, uv_.x, uv_.y); }
   bool missed() const {
     const auto* reached = last<Reached<double>>();
@@ -130,8 +134,9 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
   void add_name(View& view, const std::string& id, Role role, dvec3 p, const std::string& name) const {
     view.add_named(id, role, drawing_.at(p), name);
   }
-  static void add_in_square(View& view, const std::string& id, Role role, dvec2 from, dvec2 to) {
-    view.add({id, role, Stroke{PatchDrawing::in_square(from), PatchDrawing::in_square(to)}});
+  static void add_in_square(View& view, const std::string& id, Role role, dvec2 from, dvec2 to,
+                            bool dashed = false) {
+    view.add({id, role, Stroke{PatchDrawing::in_square(from), PatchDrawing::in_square(to), false, dashed}});
   }
   /// A row or the column of points, and the rounds that reduce it.
   void add_rounds(View& view, Points<double> b, double t) const {
@@ -139,7 +144,7 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
     for (int round = 1; b.size() > 2; ++round) {
       for (Index i = 0; i + 1 < b.size(); ++i) b[i] = (1 - t) * b[i] + t * b[i + 1];
       b.pop_back();
-      view.add({fmt::format("u round {}", round), Role::measure, drawing_.path(b)});
+      view.add({fmt::format("u round {}", round), Role::measure, drawing_.path(b, true)});
       for (Index i = 0; i < b.size(); ++i)
         view.add({fmt::format("u round {} {}", round, i), Role::measure, Dot{drawing_.at(b[i])}});
     }
@@ -200,8 +205,7 @@ void tell_point(Narrator& narrator) {
                    {Role::current, "row"},
                    {Role::accepted, "column"},
                    {Role::measure, "rounds"},
-                   {Role::result, "point"},
-                   {Role::past, "surface"}});
+                   {Role::result, "point"}});
   narrator.list_below("reduced");
   narrator.handles("uv", [](dvec2 p) { return PatchDrawing::in_square(p); });
   narrator.handles("control", [&](dvec3 p) { return drawing.at(p); });

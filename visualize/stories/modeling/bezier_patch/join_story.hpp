@@ -229,8 +229,8 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
     const std::size_t kind = first_difference(s);
     for (std::size_t i = 0; i < all.size(); ++i)
       view.add({fmt::format("z {}", i),
-                i == kind  ? Role::current
-                : i < kind ? Role::result
+                i == kind  ? Role::rejected
+                : i < kind ? Role::accepted
                            : Role::past,
                 Text{{25, 7.3 - 2 * static_cast<double>(i)}, line(i, all[i]), Align::left, true}});
   }
@@ -263,7 +263,7 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
                                 .up = reader.up,
                                 .towards = reader.towards,
                                 .shown = extent_,
-                                .width = 320,
+                                .width = 272,
                                 .normals = normals,
                                 .bands = {9, 0, 0}});
     return picture;
@@ -355,7 +355,9 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
         view.add({fmt::format("{} tooth {:02}", id, i), Role::measure,
                   Stroke{shown.at(s.curve[i]), tips.back(), false, false, true}});
     }
-    if (scale > 0) view.add({id + " comb", Role::measure, Path{tips}});
+    for (std::size_t i = 1; scale > 0 && i < tips.size(); ++i)
+      view.add({fmt::format("{} comb {:02}", id, i), Role::measure,
+                Stroke{tips[i - 1], tips[i], false, false, true}});
     view.add({"n " + id, role, Path{shown.at(s.curve)}});
   }
 
