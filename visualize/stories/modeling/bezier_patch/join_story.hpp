@@ -124,7 +124,8 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
             .phase = order_names[order]};
   }
   Event say(const SeamMeasured<double>& m) const {
-    static constexpr std::array texts{"seam.gap", "seam.crease", "seam.slope", "seam.curvature",
+    // The border is one, whatever it was: a gap is never left
+    static constexpr std::array texts{"seam.crease", "seam.crease", "seam.slope", "seam.curvature",
                                       "seam.smooth"};
     static constexpr std::array branches{"gap", "crease", "slope", "curvature", "none"};
     const std::size_t order = current(), kind = first_difference(m.seam);
@@ -138,7 +139,6 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
                       {"slope", m.seam.slope},
                       {"curvature", m.seam.curvature}},
             .words = {{"order", order_names[order]},
-                      {"gap_text", short_real(gap)},
                       {"angle_text", short_angle(angle)},
                       {"slope_text", short_real(slope)},
                       {"curvature_text", short_real(curvature)}},
@@ -296,16 +296,21 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
   void add_path(View& view, const std::string& id, Role role, const Points<double>& points) const {
     view.add({id, role, Path{mapped(points, [&](dvec3 p) { return at(p); })}});
   }
-  void add_row(View& view, const std::string& id, Role role, const Points<double>& row) const {
+  /// A row with its name at the end that is nearer.
+  void add_row(View& view, const std::string& id, Role role, const Points<double>& row,
+               std::string name) const {
     add_path(view, id, role, row);
+    const auto depth = [&](dvec3 p) { return glm::dot(p, subject_.reader.towards); };
+    const dvec3 end = depth(row.front()) > depth(row.back()) ? row.front() : row.back();
+    view.add({id + " name", role, Label{at(end), std::move(name)}});
     for (std::size_t i = 0; i < row.size(); ++i)
       view.add({fmt::format("{} {}", id, i), role, Dot{at(row[i])}});
   }
   /// Both as they were given.
   void add_nets(View& view) const {
     for (Index j = 0; j < subject_.first.rows(); ++j) {
-      add_row(view, fmt::format("c first {}", j), Role::input, subject_.first.row(j));
-      add_row(view, fmt::format("c second {}", j), Role::candidate, nets_[0].row(j));
+      add_row(view, fmt::format("c first {}", j), Role::input, subject_.first.row(j), fmt::format("P{}", j));
+      add_row(view, fmt::format("c second {}", j), Role::candidate, nets_[0].row(j), fmt::format("Q{}", j));
     }
   }
   /// The last rows of the first patch, and those of the second that this order puts, the last one strong.
@@ -313,9 +318,10 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
     const Net &P = subject_.first, &Q = nets_[k];
     const Index m = P.rows() - 1, last = rows_of(k);
     for (Index j = std::max(last, Index{1}); j > 0; --j)
-      add_row(view, fmt::format("c first {}", j), Role::input, P.row(m - j));
+      add_row(view, fmt::format("c first {}", j), Role::input, P.row(m - j), fmt::format("P{}", m - j));
     for (Index j = 0; j <= last; ++j)
-      add_row(view, fmt::format("d second {}", j), j == last ? Role::current : Role::accepted, Q.row(j));
+      add_row(view, fmt::format("d second {}", j), j == last ? Role::current : Role::accepted, Q.row(j),
+              j == 0 ? fmt::format("P{}", m) : fmt::format("Q{}", j));
     for (Index i = 0; i < P.columns; ++i) {
       Points<double> before, behind{P(m, i)};
       for (Index j = std::max(last, Index{1}); j + 1 > 0; --j) before.push_back(P(m - j, i));
