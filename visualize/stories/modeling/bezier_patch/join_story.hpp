@@ -124,7 +124,7 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
             .phase = order_names[order]};
   }
   Event say(const SeamMeasured<double>& m) const {
-    // The border is one, whatever it was: a gap is never left
+    // No gap is left: the border is one
     static constexpr std::array texts{"seam.crease", "seam.crease", "seam.slope", "seam.curvature",
                                       "seam.smooth"};
     static constexpr std::array branches{"gap", "crease", "slope", "curvature", "none"};
