@@ -101,7 +101,7 @@ struct SurfacePoint {
 };
 
 /// Sine and cosine of an angle in degrees; those of multiples of 90 are exact, so that a pole is one point.
-/// Accuracy: 0.501 ulp.
+/// Accuracy: that of sin_cos_degrees.
 /// Errors: ContractViolation for an infinite angle and NaN.
 template <std::floating_point T>
 Turn<T> angle(T degrees) {
@@ -125,9 +125,9 @@ void expect_radius(const T& r) {
 /// Domain: r > 0, at most a quarter of the largest number; any s; cos t >= 0, that is t from -90 to 90
 ///   degrees (not checked).
 /// Steps: Turned Raised PointFound AlongParallel AlongMeridian NormalFound.
-/// Accuracy: each coordinate within 3.5 u of the largest it can have, r or 1, and the smallest subnormal
-///   number, for sines and cosines within 1.002 u; u = 2^-53 in double. At the poles, of angles in degrees,
-///   the point, the normal and by_s = 0 are exact.
+/// Accuracy: each coordinate within 3.5 u of the largest it can have, r or 1, and as many of the smallest
+///   subnormal number, for the sines and cosines of `angle`; u = 2^-53 in double. At the poles the point, the
+///   normal and by_s = 0 are exact.
 /// Cost: ten products, beside two sines and cosines.
 /// Errors: ContractViolation outside the domain.
 template <class T,

@@ -154,7 +154,7 @@ TEST(ParametricSurface, ExhibitsHaveNoNormalAtThePolesAndAnOpenSeam) {  // E001-
   for (std::size_t j = 0; j < 5; ++j)
     apart = std::max(apart, length_of(open.points[9 * j] - open.points[9 * j + 8]));
   EXPECT_EQ(apart, 0);
-  EXPECT_TRUE(test::states(page, "{} points instead of {}, and {} edges have one face",
+  EXPECT_TRUE(test::states(page, "makes {} points instead of {}, and {} edges have one face",
                            {45, 26, 1.0 * counts.boundary_edges}));
 }
 

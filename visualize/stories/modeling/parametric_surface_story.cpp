@@ -94,7 +94,7 @@ const TopicEntry& entry() {
        .methods =
            {{.name = "point", .standing = Standing::taught, .tell = tell_point<false>, .unread = mesh_only},
             {.name = "patches", .tell = tell_patches<false>, .unread = {"angles"}},
-            {.name = "lookup", .tell = tell_lookup},
+            {.name = "lookup", .tell = tell_lookup, .within = {{"n", 24}, {"m", 12}}},
             {.name = "normal_by_tangents",
              .standing = Standing::faulty,
              .tell = tell_point<true>,

@@ -14,7 +14,7 @@ namespace gradus::parametric_surface {
 
 constexpr int paper_width = 36, paper_height = 27;
 /// The sphere on the left, its parameters on the right.
-inline constexpr Extent sphere_place{{0.2, 1.5}, {22.3, 25.5}}, chart_place{{25, 9}, {34.4, 17}};
+inline constexpr Extent sphere_place{{0.2, 2}, {21.8, 25}}, chart_place{{25, 9}, {34.4, 17}};
 
 /// What a run is about.
 struct Subject {
@@ -42,8 +42,14 @@ inline Subject subject_of(const Arguments& arguments) {
 
 /// "30°".
 inline std::string degrees(double angle) { return figure_real(angle) + "°"; }
-inline std::string short_real(double value) { return figure_real(std::abs(value) < 5e-16 ? 0 : value); }
-inline std::string short_place(dvec3 p) { return figure_place(p, short_real); }
+/// A text off the end of something that leads there from another place.
+inline void add_beyond(View& view, const std::string& id, Role role, dvec2 from, dvec2 end,
+                       std::string text) {
+  const double length = length_between(from, end);
+  const dvec2 way = length > 0 ? (end - from) / length : dvec2{0, 1};
+  const Align align = way.x > 0.5 ? Align::left : way.x < -0.5 ? Align::right : Align::centre;
+  view.add({id, role, Text{end + (align == Align::centre ? 1.0 : 0.5) * way, std::move(text), align}});
+}
 
 /// Which way a reader's drawing has x, y, z: its own y points up where space has z.
 inline dvec3 upright(dvec3 p) { return {p.y, p.z, p.x}; }
@@ -51,7 +57,7 @@ inline dvec3 upright(dvec3 p) { return {p.y, p.z, p.x}; }
 /// A reader who has the point on his side: one fixed place where that will do, else he goes round to it.
 inline faces_subject::Reader reader_of(const Subject& subject) {
   const dvec3 normal = subject.at().normal;
-  constexpr double longitude = 28, latitude = 24, seen = 0.2;
+  constexpr double longitude = 28, latitude = 24, seen = 0.35;
   const auto from = [](double s, double t) { return upright(point(1.0, angle(s), angle(t)).point); };
   for (const auto& [s, t] : {std::pair(longitude, latitude), {subject.s - 30, latitude}}) {
     if (glm::dot(from(s, t), upright(normal)) > seen) return faces_subject::Reader(from(s, t));
@@ -103,6 +109,7 @@ class Globe {
   template <class Line>
   void add_curve(View& view, const std::string& id, Role role, double from, double to, const Line& line,
                  bool behind = true) const {
+    if (from == to) return;
     constexpr double most = 7.5;
     const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / most)));
     std::vector<dvec2> part{at(line(from))};
@@ -155,10 +162,11 @@ class Chart {
     for (const double t : {-90.0, 90.0})
       view.add({t < 0 ? "l south" : "l north", pole, Stroke{at(0, t), at(360, t)}});
     for (const double s : {0.0, 90.0, 180.0, 270.0, 360.0})
-      view.add({fmt::format("n s {}", s), Role::guide, Text{at(s, -90) - dvec2{0, 1.1}, degrees(s)}});
+      view.add({fmt::format("n s {}", s), Role::guide,
+                Text{at(s, -90) - dvec2{0, 1.1}, degrees(s), Align::centre, true}});
     for (const double t : {-90.0, 0.0, 90.0})
-      view.add(
-          {fmt::format("n t {}", t), Role::guide, Text{at(0, t) - dvec2{0.5, 0}, degrees(t), Align::right}});
+      view.add({fmt::format("n t {}", t), Role::guide,
+                Text{at(0, t) - dvec2{0.5, 0}, degrees(t), Align::right, true}});
     view.add({"n s", Role::guide, Text{at(180, -90) - dvec2{0, 2.6}, words.symbol("s")}});
     view.add({"n t", Role::guide, Text{at(0, 45) - dvec2{1.2, 0}, words.symbol("t"), Align::right}});
   }

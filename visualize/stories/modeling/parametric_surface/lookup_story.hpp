@@ -36,7 +36,7 @@ class LookupStory : public Past<steps::Started, CellFound<double>, Mixed<double>
     const double off = length_between(d.point, right_.point);
     return {.text = "mixed",
             .facts = fields_of(d.point),
-            .words = {{"point", short_place(d.point)}, {"off", figure_real(off, 1e-15 * subject_.radius)}},
+            .words = {{"point", figure_place(d.point)}, {"off", figure_real(off, 1e-15 * subject_.radius)}},
             .row = row(words_.say("of_faces", {{"name", words_.symbol("P")}}), d.point),
             .key = "P",
             .phase = words_.say("phase.point")};
@@ -73,9 +73,7 @@ class LookupStory : public Past<steps::Started, CellFound<double>, Mixed<double>
   static double angle_between(dvec3 a, dvec3 b) {
     return 180 * std::numbers::inv_pi * gradus::atan2(length_of(glm::cross(a, b)), glm::dot(a, b));
   }
-  static std::vector<Said> row(const std::string& name, dvec3 p) {
-    return {name, short_real(p.x), short_real(p.y), short_real(p.z)};
-  }
+  static std::vector<Said> row(const std::string& name, dvec3 p) { return {name, p.x, p.y, p.z}; }
   void add_normal(View& view, const std::string& id, Role role, dvec3 normal) const {
     const dvec3 from = last<Mixed<double>>()->point;
     view.add({id, role, Stroke{globe_.at(from), globe_.at(from + 0.6 * globe_.radius() * normal), true}});
@@ -84,7 +82,7 @@ class LookupStory : public Past<steps::Started, CellFound<double>, Mixed<double>
   void add_plot(View& view) const {
     add_axes(view, plot_, "plot", {words_.symbol("s"), words_.symbol("N")}, 4);
     add_caption(view, "u caption", plot_.place(), words_.say("direction"), 1.2);
-    const dvec2 below{plot_.place().lower.x - 1.4, 3.4};
+    const dvec2 below{plot_.place().lower.x - 1.4, 4.4};
     const std::size_t once = 4 * mesh_.points.size();
     view.add({"u cost 1", Role::result, Text{below, words_.say("cost.surface"), Align::left}});
     view.add({"u cost 2", Role::measure,

@@ -21,7 +21,9 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
     background_.add({"o dot", Role::current, Dot{place}});
     background_.add({"o text", Role::current,
                      Text{{chart_place.centre().x, chart_place.upper.y + 1.3},
-                          words.say("pair", {{"s", degrees(subject.s)}, {"t", degrees(subject.t)}})}});
+                          words.say("pair", {{"s", degrees(subject.s)}, {"t", degrees(subject.t)}}),
+                          Align::centre,
+                          true}});
   }
   /// Where the rectangle has the parameters.
   dvec2 in_chart() const { return chart_.at(subject_.s_shown(), subject_.t); }
@@ -39,7 +41,7 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
   Event say(const Turned<double>& d) const {
     return {.text = "turned",
             .facts = fields_of(d.direction),
-            .words = {{"s", degrees(subject_.s)}, {"direction", short_place(d.direction)}},
+            .words = {{"s", degrees(subject_.s)}, {"direction", figure_place(d.direction)}},
             .row = row("e", d.direction),
             .key = "e",
             .phase = words_.say("phase.angles")};
@@ -55,7 +57,7 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
   Event say(const PointFound<double>& d) const {
     return {.text = "point_found",
             .facts = fields_of(d.point),
-            .words = {{"point", short_place(d.point)}, {"foot", short_place(foot())}},
+            .words = {{"point", figure_place(d.point)}},
             .row = row(words_.symbol("P"), d.point),
             .key = "P",
             .phase = words_.say("phase.point")};
@@ -63,7 +65,7 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
   Event say(const AlongParallel<double>& d) const {
     return {.text = d.length == 0 ? "along_parallel.pole" : "along_parallel",
             .facts = fields_of(d.tangent),
-            .words = {{"tangent", short_place(d.tangent)}, {"length", short_real(d.length)}},
+            .words = {{"tangent", figure_place(d.tangent)}, {"length", d.length}},
             .row = row(by_s(), d.tangent),
             .key = by_s(),
             .phase = words_.say("phase.tangents"),
@@ -73,7 +75,7 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
   Event say(const AlongMeridian<double>& d) const {
     return {.text = "along_meridian",
             .facts = fields_of(d.tangent),
-            .words = {{"tangent", short_place(d.tangent)}, {"length", short_real(d.length)}},
+            .words = {{"tangent", figure_place(d.tangent)}, {"length", d.length}},
             .row = row(by_t(), d.tangent),
             .key = by_t(),
             .phase = words_.say("phase.tangents")};
@@ -82,7 +84,8 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
     const bool found = has_normal();
     return {.text = found ? "normal_found" : "normal_found.none",
             .facts = found ? fields_of(d.normal) : std::vector<Field>{{"length", 0.0}},
-            .words = {{"normal", found ? short_place(d.normal) : "0/0"}, {"r", subject_.radius}},
+            .words = {{"normal", found ? figure_place(d.normal) : "0/0"}, {"r", subject_.radius}},
+            .note = found ? "" : words_.symbol("N") + " = 0/0",
             .row = found ? row(words_.symbol("N"), d.normal)
                          : std::vector<Said>{words_.symbol("N"), "0/0", "0/0", "0/0"},
             .key = "N",
@@ -95,8 +98,10 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
     if (last<Turned<double>>()) {
       globe_.add_curve(view, "p s", Role::measure, 0, subject_.s_shown(),
                        [&](double s) { return 0.42 * globe_.on(s, 0); });
-      name(view, "p s", 0.42 * globe_.on(subject_.s_shown() / 2, 0),
-           words_.say("angle.s", {{"s", degrees(subject_.s)}}));
+      if (subject_.s_shown() != 0)
+        add_beyond(view, "p s name", Role::measure, at(centre),
+                   at(0.42 * globe_.on(subject_.s_shown() / 2, 0)),
+                   words_.say("angle.s", {{"s", degrees(subject_.s)}}));
     }
     if (const auto* d = now<Turned<double>>())
       add_arrow(view, "q e", Role::current, at(centre), at(globe_.radius() * d->direction), "e");
@@ -107,23 +112,23 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
       view.add({"q radius", Role::past, Stroke{at(centre), at(here)}});
       globe_.add_curve(view, "p t", Role::measure, 0, subject_.t,
                        [&](double t) { return 0.55 * globe_.on(subject_.s, t); });
-      name(view, "p t", 0.55 * globe_.on(subject_.s, subject_.t / 2),
-           words_.say("angle.t", {{"t", degrees(subject_.t)}}));
+      if (subject_.t != 0)
+        beside(view, "p t name", Role::measure, 0.3, words_.say("angle.t", {{"t", degrees(subject_.t)}}));
     }
     if (const auto* d = now<Raised<double>>()) {
-      name(view, "q ring", 0.5 * foot(), words_.say("ring", {{"ring", short_real(d->ring)}}), Role::result);
-      name(view, "q height", 0.5 * (foot() + here), words_.say("height", {{"height", short_real(d->height)}}),
-           Role::result);
+      const double off = at(foot()).y < at(here).y ? -1.4 : 1.4;
+      view.add({"q ring name", Role::result,
+                Text{at(foot()) + dvec2{0, off}, words_.say("ring", {{"ring", d->ring}})}});
+      beside(view, "q height name", Role::result, 0.8, words_.say("height", {{"height", d->height}}));
     }
     if (last<PointFound<double>>())
       view.add_named("s point", Role::current, at(here), words_.symbol("P"), !globe_.seen(here));
-    if (const auto* d = last<AlongParallel<double>>())
-      add_tangent(view, "r by_s", by_s(), d->tangent, d->length);
-    if (const auto* d = last<AlongMeridian<double>>())
-      add_tangent(view, "r by_t", by_t(), d->tangent, d->length);
+    if (const auto* d = last<AlongParallel<double>>()) add_tangent(view, "r by_s", by_s(), *d);
+    if (const auto* d = last<AlongMeridian<double>>()) add_tangent(view, "r by_t", by_t(), *d);
     if (now<NormalFound<double>>() && has_normal()) {
       const dvec3 tip = here + half * globe_.radius() * now<NormalFound<double>>()->normal;
-      add_arrow(view, "r normal", Role::accepted, at(here), at(tip), words_.symbol("N"));
+      view.add({"r normal", Role::accepted, Stroke{at(here), at(tip), true}});
+      add_beyond(view, "r normal name", Role::accepted, at(here), at(tip), words_.symbol("N"));
     }
     return view;
   }
@@ -143,21 +148,21 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
     const auto* d = last<NormalFound<double>>();
     return d && d->normal == d->normal;
   }
-  static std::vector<Said> row(const std::string& name, dvec3 p) {
-    return {name, short_real(p.x), short_real(p.y), short_real(p.z)};
+  static std::vector<Said> row(const std::string& name, dvec3 p) { return {name, p.x, p.y, p.z}; }
+  /// Right of the line from Q to P, so far up.
+  void beside(View& view, const std::string& id, Role role, double part, std::string text) const {
+    const dvec3 p = subject_.at().point;
+    view.add({id, role, Text{at({p.x, p.y, part * p.z}) + dvec2{0.6, 0}, std::move(text), Align::left}});
   }
-  void name(View& view, const std::string& id, dvec3 place, std::string text,
-            Role role = Role::measure) const {
-    view.add({id + " name", role, Label{at(place), std::move(text)}});
-  }
-  void add_tangent(View& view, const std::string& id, const std::string& name, dvec3 way,
-                   double length) const {
+  /// With its length in the step that finds it.
+  template <class Found>
+  void add_tangent(View& view, const std::string& id, const std::string& name, const Found& found) const {
     const dvec3 here = subject_.at().point;
-    if (length == 0) return;
-    add_arrow(view, id, Role::result, at(here), at(here + half * way),
-              now<NormalFound<double>>()
-                  ? name
-                  : words_.say("length", {{"name", name}, {"length", short_real(length)}}));
+    if (found.length == 0) return;
+    const dvec2 tip = at(here + half * found.tangent);
+    view.add({id, Role::result, Stroke{at(here), tip, true}});
+    add_beyond(view, id + " name", Role::result, at(here), tip,
+               now<Found>() ? words_.say("length", {{"name", name}, {"length", found.length}}) : name);
   }
 
   const Words& words_;
