@@ -19,7 +19,7 @@ void tell_point(Narrator& narrator) {
   narrator.subtitle("subtitle", {{"r", subject.radius}});
   narrator.columns({{"vector", false}, {"x"}, {"y"}, {"z"}});
   narrator.legend({{Role::current, "point"},
-                   {Role::measure, "angles"},
+                   {Role::candidate, "angles"},
                    {Role::result, "tangents"},
                    {Role::boundary, "seam"},
                    {Role::accepted, "poles"}});
@@ -52,11 +52,8 @@ void tell_patches(Narrator& narrator) {
   narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle.patches", {{"r", subject.radius}, {"n", subject.n}, {"m", subject.m}});
   narrator.columns({{"part", false}, {"t"}, {"count"}, {"points"}, {"faces"}});
-  narrator.legend({{Role::current, "part"},
-                   {Role::past, "again"},
-                   {Role::rejected, "open"},
-                   {Role::boundary, "seam"},
-                   {Role::accepted, "poles"}});
+  narrator.legend(
+      {{Role::current, "part"}, {Role::past, "again"}, {Role::rejected, "open"}, {Role::boundary, "seam"}});
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   patches_of<twice>(subject, watch);
@@ -72,8 +69,10 @@ void tell_lookup(Narrator& narrator) {
   narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle.patches", {{"r", subject.radius}, {"n", subject.n}, {"m", subject.m}});
   narrator.columns({{"vector", false}, {"x"}, {"y"}, {"z"}});
-  narrator.legend(
-      {{Role::current, "cell"}, {Role::input, "place"}, {Role::result, "surface"}, {Role::measure, "faces"}});
+  narrator.legend({{Role::current, "cell"},
+                   {Role::input, "place"},
+                   {Role::boundary, "surface"},
+                   {Role::measure, "faces"}});
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   const LookedUp<double> found = lookup(mesh, subject.s, subject.t, watch);

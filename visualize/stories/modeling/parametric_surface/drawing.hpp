@@ -57,7 +57,7 @@ inline dvec3 upright(dvec3 p) { return {p.y, p.z, p.x}; }
 /// A reader who has the point on his side: one fixed place where that will do, else he goes round to it.
 inline faces_subject::Reader reader_of(const Subject& subject) {
   const dvec3 normal = subject.at().normal;
-  constexpr double longitude = 28, latitude = 24, seen = 0.35;
+  constexpr double longitude = 28, latitude = 40, seen = 0.35;
   const auto from = [](double s, double t) { return upright(point(1.0, angle(s), angle(t)).point); };
   for (const auto& [s, t] : {std::pair(longitude, latitude), {subject.s - 30, latitude}}) {
     if (glm::dot(from(s, t), upright(normal)) > seen) return faces_subject::Reader(from(s, t));
@@ -135,7 +135,7 @@ class Globe {
   void add_axes(View& view) const {
     for (int axis = 0; axis < 3; ++axis) {
       dvec3 tip{0};
-      tip[axis] = 1.22 * radius_;
+      tip[axis] = 1.35 * radius_;
       const std::string id = fmt::format("d axis {}", axis);
       view.add({id, Role::past, Stroke{at({0, 0, 0}), at(tip), true, false, true}});
       view.add({id + " name", Role::past, Label{at(tip), std::string(1, "xyz"[axis])}});
@@ -155,8 +155,7 @@ class Chart {
   void add_to(View& view, const Words& words, int columns, int rows, bool joined) const {
     for (int k = 1; k < columns; ++k) add_line(view, fmt::format("k s {:02}", k), 360.0 * k / columns, true);
     for (int k = 1; k < rows; ++k) add_line(view, fmt::format("k t {:02}", k), 180.0 * k / rows - 90, false);
-    const Role seam = joined ? Role::boundary : Role::rejected,
-               pole = joined ? Role::accepted : Role::rejected;
+    const Role seam = joined ? Role::boundary : Role::rejected, pole = joined ? Role::past : Role::rejected;
     for (const double s : {0.0, 360.0})
       view.add({s > 0 ? "l right" : "l left", seam, Path{{at(s, -90), at(s, 90)}}});
     for (const double t : {-90.0, 90.0})

@@ -64,7 +64,7 @@ class LookupStory : public Past<steps::Started, CellFound<double>, Mixed<double>
     if (const auto* d = last<Mixed<double>>()) view.add({"s point", Role::input, Dot{globe_.at(d->point)}});
     if (const auto* d = last<FaceNormalTaken<double>>()) {
       add_normal(view, "t face", Role::measure, d->normal);
-      add_normal(view, "t surface", Role::result, right_.normal);
+      add_normal(view, "t surface", Role::boundary, right_.normal);
     }
     return view;
   }
@@ -84,10 +84,10 @@ class LookupStory : public Past<steps::Started, CellFound<double>, Mixed<double>
     add_caption(view, "u caption", plot_.place(), words_.say("direction"), 1.2);
     const dvec2 below{plot_.place().lower.x - 1.4, 4.4};
     const std::size_t once = 4 * mesh_.points.size();
-    view.add({"u cost 1", Role::result, Text{below, words_.say("cost.surface"), Align::left}});
+    view.add({"u cost 1", Role::boundary, Text{below, words_.say("cost.surface"), Align::left}});
     view.add({"u cost 2", Role::measure,
               Text{below - dvec2{0, 1.8}, words_.say("cost.faces", {{"once", once}}), Align::left}});
-    view.add({"v surface", Role::result, Path{{plot_.at({0, 0}), plot_.at({360, 360})}}});
+    view.add({"v surface", Role::boundary, Path{{plot_.at({0, 0}), plot_.at({360, 360})}}});
     std::vector<dvec2> stair;
     for (int i = 0; i < subject_.n; ++i) {
       const double middle = 360.0 * (i + 0.5) / subject_.n;
@@ -99,7 +99,7 @@ class LookupStory : public Past<steps::Started, CellFound<double>, Mixed<double>
     const double s = subject_.s_shown();
     view.add({"w here", Role::guide, Stroke{plot_.at({s, 0}), plot_.at({s, 360}), false, true, true}});
     if (!last<FaceNormalTaken<double>>()) return;
-    view.add({"w surface", Role::result, Dot{plot_.at({s, s})}});
+    view.add({"w surface", Role::boundary, Dot{plot_.at({s, s})}});
     view.add({"w faces", Role::measure, Dot{plot_.at({s, 360.0 * (cell->i + 0.5) / subject_.n})}});
   }
 

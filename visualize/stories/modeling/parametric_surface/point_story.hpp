@@ -14,10 +14,15 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
     globe_.add_to(background_);
     globe_.add_seam(background_);
     chart_.add_to(background_, words, 12, 6, true);
+    for (int k = 0; k <= 12; k += 2) {
+      for (const double t : {-90.0, 90.0})
+        background_.add(
+            {fmt::format("l pole {:02} {}", k, t < 0), Role::accepted, Dot{chart_.at(30 * k, t)}});
+    }
     const dvec2 place = in_chart();
     const dvec2 below{place.x, chart_.at(0, -90).y}, aside{chart_.at(0, 0).x, place.y};
-    background_.add({"m down", Role::measure, Stroke{place, below, false, true}});
-    background_.add({"m left", Role::measure, Stroke{place, aside, false, true}});
+    background_.add({"m down", Role::candidate, Stroke{place, below, false, true}});
+    background_.add({"m left", Role::candidate, Stroke{place, aside, false, true}});
     background_.add({"o dot", Role::current, Dot{place}});
     background_.add({"o text", Role::current,
                      Text{{chart_place.centre().x, chart_place.upper.y + 1.3},
@@ -96,10 +101,10 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
     View view = background_;
     const dvec3 centre{0}, here = subject_.at().point;
     if (last<Turned<double>>()) {
-      globe_.add_curve(view, "p s", Role::measure, 0, subject_.s_shown(),
+      globe_.add_curve(view, "p s", Role::candidate, 0, subject_.s_shown(),
                        [&](double s) { return 0.42 * globe_.on(s, 0); });
       if (subject_.s_shown() != 0)
-        add_beyond(view, "p s name", Role::measure, at(centre),
+        add_beyond(view, "p s name", Role::candidate, at(centre),
                    at(0.42 * globe_.on(subject_.s_shown() / 2, 0)),
                    words_.say("angle.s", {{"s", degrees(subject_.s)}}));
     }
@@ -110,10 +115,10 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
       view.add({"q ring", Role::result, Stroke{at(centre), at(foot())}});
       view.add({"q height", Role::result, Stroke{at(foot()), at(here), false, true}});
       view.add({"q radius", Role::past, Stroke{at(centre), at(here)}});
-      globe_.add_curve(view, "p t", Role::measure, 0, subject_.t,
+      globe_.add_curve(view, "p t", Role::candidate, 0, subject_.t,
                        [&](double t) { return 0.55 * globe_.on(subject_.s, t); });
       if (subject_.t != 0)
-        beside(view, "p t name", Role::measure, 0.3, words_.say("angle.t", {{"t", degrees(subject_.t)}}));
+        beside(view, "p t name", Role::candidate, 0.3, words_.say("angle.t", {{"t", degrees(subject_.t)}}));
     }
     if (const auto* d = now<Raised<double>>()) {
       const double off = at(foot()).y < at(here).y ? -1.4 : 1.4;
@@ -127,8 +132,8 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
     if (const auto* d = last<AlongMeridian<double>>()) add_tangent(view, "r by_t", by_t(), *d);
     if (now<NormalFound<double>>() && has_normal()) {
       const dvec3 tip = here + half * globe_.radius() * now<NormalFound<double>>()->normal;
-      view.add({"r normal", Role::accepted, Stroke{at(here), at(tip), true}});
-      add_beyond(view, "r normal name", Role::accepted, at(here), at(tip), words_.symbol("N"));
+      view.add({"r normal", Role::result, Stroke{at(here), at(tip), true}});
+      add_beyond(view, "r normal name", Role::result, at(here), at(tip), words_.symbol("N"));
     }
     return view;
   }
