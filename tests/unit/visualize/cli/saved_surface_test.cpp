@@ -33,7 +33,8 @@ std::vector<std::vector<dvec3>> rings_of(const Mesh& mesh) {
 
 TEST(SavedSurface, OfEveryRunThatMakesOneIsReadBackEqual) {
   std::set<std::string> topics;
-  for (const std::string topic : {"bezier_patch", "ear_clipping", "subdivision_surface"}) {
+  for (const std::string topic :
+       {"bezier_patch", "ear_clipping", "parametric_surface", "subdivision_surface"}) {
     for (const Trace& trace : test::telling_traces({}, topic)) {
       if (!trace.mesh) continue;
       topics.insert(topic);
@@ -46,7 +47,7 @@ TEST(SavedSurface, OfEveryRunThatMakesOneIsReadBackEqual) {
       EXPECT_EQ(static_cast<std::int64_t>(triangles), triangle_count(made)) << topic << trace.method;
     }
   }
-  EXPECT_EQ(topics.size(), 3u);
+  EXPECT_EQ(topics.size(), 4u);
 }
 
 }  // namespace
