@@ -149,13 +149,11 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
         view.add({fmt::format("u round {} {}", round, i), Role::measure, Dot{drawing_.at(b[i])}});
     }
   }
-  /// From S, so long that it is seen.
+  /// From S.
   void add_arrow_along(View& view, const std::string& id, Role role, dvec3 way,
                        const std::string& name) const {
-    const double length = length_of(way);
-    if (length == 0) return;
-    const dvec3 from = last<Reached<double>>()->point, to = from + 0.28 * drawing_.size() / length * way;
-    add_arrow(view, id, role, drawing_.at(from), drawing_.at(to), name);
+    const dvec3 from = last<Reached<double>>()->point, arrow = drawing_.arrow(way);
+    if (arrow != dvec3{0}) add_arrow(view, id, role, drawing_.at(from), drawing_.at(from + arrow), name);
   }
 
   const Words& words_;
@@ -196,7 +194,13 @@ void tell_point(Narrator& narrator) {
     refuse(arguments, {"control", "columns"}, "expected as many rows as columns, which are mixed up here");
   const dvec2 uv = place_of(arguments);
   const faces_subject::Reader reader = faces_subject::reader_of(arguments);
-  const PatchDrawing drawing(net, reader);
+  const auto found = [&](const auto&... watch) {
+    if constexpr (by_columns)
+      return transposed(net, uv.x, uv.y, watch...);
+    else
+      return de_casteljau(net, uv.x, uv.y, watch...);
+  };
+  const PatchDrawing drawing(net, reader, found());
   require_scale(drawing.panel(), arguments, {"control"});
   narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle", {{"rows", net.rows()}, {"columns", net.columns}});
@@ -212,7 +216,7 @@ void tell_point(Narrator& narrator) {
   PointStory story(narrator.words(), net, uv, drawing, by_columns);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
-  const auto f = by_columns ? transposed(net, uv.x, uv.y, watch) : de_casteljau(net, uv.x, uv.y, watch);
+  const Frame<double> f = found(watch);
   give(narrator, {net});
   narrator.result({{"x", f.point.x}, {"y", f.point.y}, {"z", f.point.z}});
 }

@@ -7,10 +7,13 @@ namespace gradus::bezier_patch {
 
 class PatchDrawing {
  public:
-  PatchDrawing(const Net& net, const faces_subject::Reader& reader)
+  /// at_hand: the place that is looked at, with tangents and normal.
+  PatchDrawing(const Net& net, const faces_subject::Reader& reader, const Frame<double>& at_hand)
       : reader_(reader), panel_(space, {}), size_(size_of(net.points)) {
     Extent extent;
     for (const dvec3 p : net.points) extent.add(reader.flat(p));
+    for (const dvec3 way : {at_hand.along_u, at_hand.along_v, at_hand.normal})
+      extent.add(reader.flat(at_hand.point + arrow(way)));
     panel_ = Panel(space, extent);
     SpaceDrawing drawing(reader_.look(panel_));
     add_surface(drawing, net);
@@ -31,11 +34,13 @@ class PatchDrawing {
   }
   /// Where (u, v) lies in the square.
   static dvec2 in_square(dvec2 uv) { return square.lower + uv * square.size(); }
+  /// A direction as an arrow so long that it is seen; none where there is no direction.
+  dvec3 arrow(dvec3 way) const { return 0.28 * size_ * unit_vector(way); }
   /// The largest side of the net.
   double size() const { return size_; }
 
  private:
-  static constexpr Extent space{{0.3, 0.6}, {26.5, 26.4}}, square{{27.4, 2.6}, {34.6, 9.8}};
+  static constexpr Extent space{{0.3, 0.6}, {25.6, 26.4}}, square{{27.4, 2.6}, {34.6, 9.8}};
   /// Faces along each side, and from line to line.
   static constexpr int pieces = 12, step = 3;
 
