@@ -47,7 +47,7 @@ constexpr auto patches_of = [](const Subject& subject, const auto&... watch) {
 template <bool twice>
 void tell_patches(Narrator& narrator) {
   Subject subject = subject_of(narrator.arguments());
-  subject.s = subject.t = 0;  // seen from the usual place
+  subject.s = 60, subject.t = 0;  // seen from the usual place
   const Patches<double> mesh = patches_of<twice>(subject);
   PatchesStory story(narrator.words(), subject, mesh);
   narrator.paper(paper_width, paper_height);

@@ -54,15 +54,13 @@ inline void add_beyond(View& view, const std::string& id, Role role, dvec2 from,
 /// Which way a reader's drawing has x, y, z: its own y points up where space has z.
 inline dvec3 upright(dvec3 p) { return {p.y, p.z, p.x}; }
 
-/// A reader who has the point on his side: one fixed place where that will do, else he goes round to it.
+/// A reader who has the point before him, a little to the right, and looks from above, or from below where
+/// that is south: there the normal and the tangents lie apart. For s near 60 degrees he stays where he is.
 inline faces_subject::Reader reader_of(const Subject& subject) {
-  const dvec3 normal = subject.at().normal;
-  constexpr double longitude = 28, latitude = 40, seen = 0.35;
-  const auto from = [](double s, double t) { return upright(point(1.0, angle(s), angle(t)).point); };
-  for (const auto& [s, t] : {std::pair(longitude, latitude), {subject.s - 30, latitude}}) {
-    if (glm::dot(from(s, t), upright(normal)) > seen) return faces_subject::Reader(from(s, t));
-  }
-  return faces_subject::Reader(from(subject.s - 30, -latitude));
+  constexpr double usual = 60, aside = 32, latitude = 40;
+  const double s = std::abs(subject.s - usual) <= 30 ? usual : subject.s;
+  const Turn<double> up = angle(subject.t < 0 ? -latitude : latitude);
+  return faces_subject::Reader(upright(point(1.0, angle(s - aside), up).point));
 }
 
 /// The sphere as a reader far away sees it: all of it, as if of glass.
