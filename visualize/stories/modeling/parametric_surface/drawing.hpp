@@ -55,7 +55,7 @@ inline void add_beyond(View& view, const std::string& id, Role role, dvec2 from,
 inline dvec3 upright(dvec3 p) { return {p.y, p.z, p.x}; }
 
 /// A reader who has the point before him, a little to the right, and looks from above, or from below where
-/// that is south: there the normal and the tangents lie apart. For s near 60 degrees he stays where he is.
+/// that is south: so normal and tangents lie apart, mostly. For s near 60 degrees he stays where he is.
 inline faces_subject::Reader reader_of(const Subject& subject) {
   constexpr double usual = 60, aside = 32, latitude = 40;
   const double s = std::abs(subject.s - usual) <= 30 ? usual : subject.s;
