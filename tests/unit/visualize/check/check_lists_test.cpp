@@ -256,6 +256,7 @@ std::vector<Row> table() {
       {"subdivision_surface", "edge_points", {{"shape", "pencil"}, {"vertex", "11"}}, names_the_same},
       {"subdivision_surface", "vertex_point", {{"method", "loop"}}, names_the_same},
       {"bezier_patch", "points", {}, is_in_order},
+      {"b_spline", "points", {}, is_in_order},
       {"back_face_culling", "signs", {}, are_the_signs_of_a_cube},
       {"painter",
        "order",
