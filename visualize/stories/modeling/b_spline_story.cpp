@@ -158,7 +158,6 @@ void tell_circle(Narrator& narrator) {
 template <bool faulty>
 void tell_basis(Narrator& narrator) {
   Subject subject = spline_of(narrator.arguments());
-  if (faulty) subject.t = subject.spline().end();
   const SplineDrawing drawing(subject, above_weights);
   set_up(narrator, subject, drawing);
   narrator.columns({{"degree"}, {"functions", false}, {"weights", false}});
@@ -245,7 +244,8 @@ const TopicEntry& entry() {
             {.name = "half_open",
              .standing = Standing::faulty,
              .tell = tell_basis<true>,
-             .unread = {"t", "arcs", "weight"}},
+             .unread = {"arcs", "weight"},
+             .opening = {{"t", "3"}}},
             {.name = "unweighted",
              .standing = Standing::faulty,
              .tell = tell_circle<Kind::unweighted>,

@@ -210,7 +210,8 @@ void tell_point(Narrator& narrator) {
                    {Role::accepted, "column"},
                    {Role::measure, "rounds"},
                    {Role::result, "point"}});
-  narrator.list_below("reduced");
+  narrator.list("reduced");
+  narrator.list_below(narrator.method().name);
   narrator.handles("uv", [](dvec2 p) { return PatchDrawing::in_square(p); });
   narrator.handles("control", [&](dvec3 p) { return drawing.at(p); });
   PointStory story(narrator.words(), net, uv, drawing, by_columns);

@@ -87,7 +87,7 @@ class SplineDrawing {
       const double a = std::max(from, u[k]), b = std::min(to, u[k + 1]);
       if (!(a < b)) continue;
       Control points;
-      for (const double t : places(a, b, 24)) points.push_back(subject_.at(t));
+      for (const double t : places(a, b, 48)) points.push_back(subject_.at(t));
       view.add({fmt::format("{} {:02}", id, k), role, path(points)});
     }
   }

@@ -52,6 +52,8 @@ class TriangleStory : public Past<steps::Started, Mixed<N, double>, Reached<N, d
                           {"hi", m.hi},
                           {"share", share},
                           {"rest", share_of(-m.hi, -subject_.t, -m.lo)},
+                          {"a", m.a},
+                          {"c", m.c},
                           {"point", m.point}},
                 .note = fmt::format("{} = {}", name, figure_place(m.point)),
                 .row = {name, fmt::format("{} … {}", figure_real(m.lo), figure_real(m.hi)), share, m.point},
@@ -60,7 +62,10 @@ class TriangleStory : public Past<steps::Started, Mixed<N, double>, Reached<N, d
                 .decides = nearer(words_, share, name, ones[0], ones[1])};
     if (kind_ == Kind::own_span_only) event.text = "mixed.own_span";
     if (m.round == subject_.degree() && !weighted) {
-      event.text = kind_ != Kind::point ? "mixed.missed" : m.a == m.c ? "mixed.still" : "mixed.last";
+      event.text = kind_ != Kind::point ? "mixed.missed"
+                   : m.a == m.c         ? "mixed.still"
+                   : may_be_corner()    ? "mixed.corner"
+                                        : "mixed.last";
       event.words.push_back({"right", right()});
       event.words.push_back({"off", length_between(seen(m.point), right())});
     }
@@ -107,6 +112,13 @@ class TriangleStory : public Past<steps::Started, Mixed<N, double>, Reached<N, d
  private:
   Index first() const { return span_of(subject_.spline(), subject_.t) - subject_.degree(); }
   dvec2 right() const { return subject_.at(subject_.t); }
+  /// As many knots inside are equal to t as the degree is: pieces need not have one tangent there.
+  bool may_be_corner() const {
+    const Spline<2, double> spline = subject_.spline();
+    const auto equal = std::ranges::count(subject_.knots, subject_.t);
+    return spline.begin() < subject_.t && subject_.t < spline.end() &&
+           equal >= static_cast<std::ptrdiff_t>(subject_.degree());
+  }
   const Between* last() const {
     return Past<steps::Started, Between, Reached<N, double>, Divided<2, double>>::template last<Between>();
   }
@@ -132,7 +144,7 @@ class TriangleStory : public Past<steps::Started, Mixed<N, double>, Reached<N, d
   }
   void add_mixed(View& view, const Between& m) const {
     const dvec2 a = drawing_.at(seen(m.a)), c = drawing_.at(seen(m.c)), p = drawing_.at(seen(m.point));
-    if (m.round == subject_.degree() && kind_ != Kind::own_span_only && a != c) {
+    if (m.round == subject_.degree() && kind_ != Kind::own_span_only && a != c && !may_be_corner()) {
       constexpr double reach = 4;
       const dvec2 way = reach / length_between(a, c) * (c - a);
       view.add({"d tangent", Role::current, Stroke{p - way, p + way, false, true}});

@@ -42,7 +42,7 @@ class PatchDrawing {
  private:
   static constexpr Extent space{{0.3, 0.6}, {25.6, 26.4}}, square{{27.4, 2.6}, {34.6, 9.8}};
   /// Faces along each side, and from line to line.
-  static constexpr int pieces = 12, step = 3;
+  static constexpr int pieces = 24, step = 6;
 
   void add_surface(SpaceDrawing& drawing, const Net& net) const {
     const auto [points, faces] = on_grid(net, pieces, pieces);

@@ -80,9 +80,11 @@ struct Section {
 class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<double>, steps::Finished> {
  public:
   /// nets: the second patch as it was given, then by each order.
-  JoinStory(const Words& words, const JoinSubject& subject, std::vector<Net> nets)
+  /// back: by the fault, that takes a difference the other way round.
+  JoinStory(const Words& words, const JoinSubject& subject, std::vector<Net> nets, bool back)
       : words_(words),
         subject_(subject),
+        back_(back),
         nets_(std::move(nets)),
         plane_(subject.first),
         first_(subject.first, plane_) {
@@ -112,8 +114,10 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
   }
   Event say(const RowSet<double>& r) const {
     static constexpr std::array texts{"row_set.c0", "row_set.g1", "row_set.c1", "row_set.c2"};
+    static constexpr std::array turned{"row_set.c0", "row_set.turned.g1", "row_set.turned.c1",
+                                       "row_set.turned.c2"};
     const std::size_t order = current();
-    return {.text = texts[order],
+    return {.text = back_ ? turned[order] : texts[order],
             .facts = {{"row", static_cast<std::int64_t>(r.row)}},
             .words = {{"k", subject_.k},
                       {"columns", r.points.size()},
@@ -369,6 +373,7 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
 
   const Words& words_;
   const JoinSubject& subject_;
+  const bool back_;
   const std::vector<Net> nets_;
   const SectionPlane plane_;
   const Section first_;
@@ -396,7 +401,7 @@ Net tell_orders(Narrator& narrator, const JoinSubject& subject, const Joined& jo
   if (!keeps_contracts(has_normals))
     refuse(narrator.arguments(), {"control", "second", "columns"},
            "expected patches with a normal along the seam and across it");
-  JoinStory story(narrator.words(), subject, nets);
+  JoinStory story(narrator.words(), subject, nets, narrator.method().standing == Standing::faulty);
   require_scale(story.shown(), narrator.arguments(), {"control", "second"});
   narrator.paper(paper_width, 22);
   narrator.subtitle("subtitle.join", {{"rows", subject.first.rows()}, {"columns", subject.first.columns}});

@@ -83,7 +83,8 @@ class LookupStory : public Past<steps::Started, CellFound<double>, Mixed<double>
     add_axes(view, plot_, "plot", {words_.symbol("s"), words_.symbol("N")}, 4);
     add_caption(view, "u caption", plot_.place(), words_.say("direction"), 1.2);
     const dvec2 below{plot_.place().lower.x - 1.4, 4.4};
-    const std::size_t once = 4 * mesh_.points.size();
+    // A sine and a cosine for each row, and for each point
+    const std::size_t once = 2 * (static_cast<std::size_t>(subject_.m) + 1 + mesh_.points.size());
     view.add({"u cost 1", Role::boundary, Text{below, words_.say("cost.surface"), Align::left}});
     view.add({"u cost 2", Role::measure,
               Text{below - dvec2{0, 1.8}, words_.say("cost.faces", {{"once", once}}), Align::left}});
