@@ -19,7 +19,7 @@ namespace {
 
 using PointMixed = Mixed<2, double>;
 
-constexpr Extent above_slider{{2, 6}, {34, 25.5}}, beside_plot{{1.5, 6}, {20.5, 25.5}},
+constexpr Extent above_slider{{2, 6}, {34, 25.5}}, beside_plot{{0.5, 6}, {20.5, 26.5}},
     whole_paper{{2, 1.5}, {34, 25.5}};
 
 Subject subject_of(const Arguments& arguments) {

@@ -31,7 +31,7 @@ class RoundingsDrawing {
 
  private:
   static constexpr int pieces = 40;
-  static constexpr Extent place{{24.5, 8}, {34.5, 24}};
+  static constexpr Extent place{{24.5, 6}, {35, 26.5}};
 
   struct Measured {
     double t, plain, compensated;  ///< in parts of the unit

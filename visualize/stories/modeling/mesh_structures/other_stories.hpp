@@ -230,9 +230,11 @@ class CostsStory : public Past<steps::Started, Answered, steps::Finished> {
                                                                       : q == 1 ? face_name(i)
                                                                                : task_.edge_name(i)}});
   }
-  /// "4 faces": what each structure reads is another thing.
+  /// "4 of 80 faces": what each structure reads is another thing.
   std::string read(const Answered& a) const {
-    return words_.count("read." + std::string(structures[a.structure]), a.records);
+    constexpr std::array texts{"read.face_vertex", "read.winged_edge", "read.half_edge"};
+    const std::array<Index, 3> all{task_.counts.faces, task_.counts.edges, task_.mesh->size()};
+    return words_.say(texts[a.structure], {{"n", a.records}, {"all", all[a.structure]}});
   }
   std::string name(std::size_t s) const { return words_.say("method." + std::string(structures[s])); }
   void add_bar(View& view, std::size_t q, std::size_t s, double y) const {

@@ -22,8 +22,8 @@ inline constexpr int paper_width = 36, paper_height = 27;
 inline constexpr std::array<Extent, 3> places{
     {{{0.2, 13.6}, {11.8, 27}}, {{12.2, 13.6}, {23.8, 27}}, {{24.2, 13.6}, {35.8, 27}}}};
 /// Below them a star on the left,
-inline constexpr dvec2 star_centre{8, 6.5};
-inline constexpr double star_radius = 4.8;
+inline constexpr dvec2 star_centre{8, 5.9};
+inline constexpr double star_radius = 5.2;
 /// and on the right lines of text, from 0 on.
 inline void add_line(View& view, int line, Role role, std::string text) {
   view.add({fmt::format("y {:02}", line), role,
