@@ -238,7 +238,7 @@ class CostsStory : public Past<steps::Started, Answered, steps::Finished> {
   }
   std::string name(std::size_t s) const { return words_.say("method." + std::string(structures[s])); }
   void add_bar(View& view, std::size_t q, std::size_t s, double y) const {
-    constexpr double left = 12.5, longest = 16;
+    constexpr double left = 12, longest = 12.5;
     const std::string id = fmt::format("b {} {}", q, s);
     view.add({id + " name", Role::guide, Text{{left - 0.6, y}, name(s), Align::right}});
     const auto& answers = all<Answered>();
