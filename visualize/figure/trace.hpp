@@ -158,7 +158,7 @@ struct Trace {
 
   std::vector<Field> result;
   std::shared_ptr<const PolygonMesh> mesh{};  ///< the surface that the run has made, for files of models
-  std::vector<std::string> counts{};   ///< what runs are compared by: "cuts: 4", of the whole run
+  std::vector<std::string> counts{};          ///< what runs are compared by: "cuts: 4", of the whole run
   std::vector<ivec2> pixels;  ///< rasters: the pixels that were set, in order (as many as were recorded)
 
   /// The step whose figure tells most: what a figure shows where no step is named.

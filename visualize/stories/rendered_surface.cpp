@@ -114,8 +114,7 @@ class SurfacePicture {
             whole;
         if (part.x < 0 || part.y < 0 || part.z < 0) continue;
         Sample& sample = samples_[p];
-        const auto depth =
-            static_cast<float>(part.x * c[0].at.z + part.y * c[1].at.z + part.z * c[2].at.z);
+        const auto depth = static_cast<float>(part.x * c[0].at.z + part.y * c[1].at.z + part.z * c[2].at.z);
         if (depth <= sample.depth) continue;
         sample = {depth, light_of(part.x * c[0].normal + part.y * c[1].normal + part.z * c[2].normal)};
         if (look_.faceted && on_a_side(c, sides, part, std::abs(whole)))
