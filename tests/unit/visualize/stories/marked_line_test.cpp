@@ -102,7 +102,7 @@ TEST(MarkedLine, StandsInTheFileThatToldTheStep) {
       ++marked;
     }
   }
-  EXPECT_GT(marked, 5000);
+  EXPECT_GT(marked, test::sanitized ? 5000 / 3 : 5000);  // there a third of the topics is looked at
 }
 
 // A picture by a method is told with that method's own line, or with none.
