@@ -390,7 +390,7 @@ Net tell_orders(Narrator& narrator, const JoinSubject& subject, const Joined& jo
   std::vector<Net> nets{subject.second};
   const auto last = static_cast<std::size_t>(subject.order);
   for (std::size_t k = 0; k <= last; ++k) nets.push_back(joined(static_cast<Continuity>(k)));
-  const auto has_normals = [&] {
+  auto has_normals = [&] {
     const SectionPlane plane(subject.first);
     const Section whole(subject.first, plane);
     for (const Net& net : nets) {
