@@ -41,9 +41,9 @@ def test_wrong_input():
     outline = "0,0 10,0 10,10 0,10; "
     table = [
         (["run", "ear_clipping", "--method", "join_holes", "--rings", outline + "2,2 5,2 3,4; 5,2 8,2 7,4; 3,4 7,4 5,7"],
-         "--rings: expected an inside in one piece, found rings that touch in a circle at (7, 4)"),
+         "--rings: expected an inside in one piece, found rings that touch in a circle at 7,4"),
         (["run", "ear_clipping", "--method", "join_holes", "--rings", outline + "0,5 3,4 3,6; 3,6 5,7 2,10"],
-         "--rings: expected an inside in one piece, found rings that touch in a circle at (2, 10)"),
+         "--rings: expected an inside in one piece, found rings that touch in a circle at 2,10"),
         # command, topic, flags
         (["lits"], "COMMAND: expected one of list, help, run, figure, source, cases, check, figures, worksheet, render, explain, demo, inspect, bench, stress, again, open, completion, man, found 'lits', did you mean 'list'?"),
         (["zzz"], "COMMAND: expected one of list, help, run, figure, source, cases, check, figures, worksheet, render, explain, demo, inspect, bench, stress, again, open, completion, man, found 'zzz'"),

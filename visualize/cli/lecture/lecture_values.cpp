@@ -128,12 +128,18 @@ std::optional<std::string> LectureValues::flag_value(const LectureKey& key, cons
   }
 }
 
+/// Methods, themes and the like are fewer.
+constexpr std::size_t most_listed = 30;
+
 std::optional<std::size_t> LectureValues::whole_name(const std::string& word, const Texts& names,
                                                      const Place& place) {
   const auto found = std::ranges::find(names, word);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  complain(place, fmt::format("expected one of {}, found {}{}", fmt::join(names, ", "), shown(word),
-                              suggestion(word, names)));
+  // Of topics there are more than a line holds
+  const std::string known = names.size() > most_listed
+                                ? fmt::format("the {} that `gradus list` shows", names.size())
+                                : fmt::format("{}", fmt::join(names, ", "));
+  complain(place, fmt::format("expected one of {}, found {}{}", known, shown(word), suggestion(word, names)));
   return std::nullopt;
 }
 

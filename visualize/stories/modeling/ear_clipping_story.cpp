@@ -92,8 +92,8 @@ void refuse_circles(const std::vector<Points>& rings) {
       std::set<std::size_t> there;
       for (std::size_t i = 0; i < rings.size(); ++i) {
         if (lies_on(rings[i], p) && !there.insert(chain[i]).second)
-          refuse("rings", "expected an inside in one piece, found rings that touch in a circle at {}",
-                 figure_place(p));
+          refuse("rings", "expected an inside in one piece, found rings that touch in a circle at {},{}", p.x,
+                 p.y);
       }
       for (std::size_t& its : chain) its = there.contains(its) ? *there.begin() : its;
     }
