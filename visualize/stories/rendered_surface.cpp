@@ -12,7 +12,7 @@ namespace {
 
 constexpr double tones = 60;                       ///< of a surface, from black to white
 constexpr int fine = 3;                            ///< samples to a pixel, either way
-constexpr dvec3 colour{0.32, 0.47, 0.6};           ///< of the surface, light
+constexpr dvec3 surface_colour{0.32, 0.47, 0.6};   ///< of the surface, light
 constexpr dvec3 to_light{-0.35, 0.8, 0.5};         ///< as the reader has it: see shade_of
 constexpr double ambient = 0.3, line_light = 0.2;  ///< parts of the colour
 constexpr double in_band = 0.3;                    ///< part of the light in a dark band
@@ -145,7 +145,7 @@ class SurfacePicture {
     // So few tones that a byte names one: pages hold pictures of at most 256 in a quarter of the room
     const double tone = std::round(light / here * tones) / tones,
                  share = std::ceil(here * 4.0 / (fine * fine)) / 4;
-    return in_share(tone_of(tone * colour), share);
+    return in_share(tone_of(tone * surface_colour), share);
   }
 
   const Faces& faces_;
