@@ -196,10 +196,9 @@ Points<N, T> points_of(const Spline<N, T>& spline, Index k) {
 /// Domain: degree 1 to 10; finite numbers up to a quarter of the largest; knots in order, of which at most
 ///   degree + 1 coincide; t from spline.begin() to spline.end(), which differ.
 /// Steps: Mixed for each point of each round, Reached.
-/// Accuracy: each coordinate within 5 n u M of the exact one and n of the smallest subnormal numbers; n is
-/// the
-///   degree, M the largest coordinate, u = 2^-53 in double. At a knot that is there n times it is the control
-///   point, bit for bit.
+/// Accuracy: each coordinate within 5 n u M of the exact one and n of the smallest subnormal numbers;
+///   n is the degree, M the largest coordinate, u = 2^-53 in double. At a knot that is there n times it is
+///   the control point, bit for bit.
 /// Cost: n (n + 1) / 2 quotients, and as many products per coordinate; the span is searched one by one.
 /// Errors: ContractViolation outside the domain.
 template <int N, class T, Observer<Mixed<N, T>, Reached<N, T>> O = Unobserved>
@@ -211,7 +210,7 @@ Point<N, T> de_boor(const Spline<N, T>& spline, const T& t, O&& observer = {}) {
   auto d = points_of(spline, k);
   for (Index m = n; m > 0; --m) {
     for (Index i = 0; i < m; ++i) {
-      // m knots up to t, m behind
+      // m knots up to t, m after
       const T lo = u[k + 1 + i - m];
       const T hi = u[k + 1 + i];
       // Between two neighbours
@@ -381,9 +380,8 @@ std::vector<T> knots_of(const Spline<N, T>& spline) {
 ///
 /// Domain: as de_boor.
 /// Steps: (Placed* Inserted)*, Finished.
-/// Accuracy: each point within 5 i u M of the exact curve and i of the smallest subnormal numbers, where i
-/// knots
-///   were inserted; pieces meet bit for bit where a knot is there up to `degree` times.
+/// Accuracy: each point within 5 i u M of the exact curve and i of the smallest subnormal numbers,
+///   where i knots were inserted; pieces meet bit for bit where a knot is there up to `degree` times.
 /// Cost: as insert_knot, up to `degree` times for each knot.
 /// Errors: ContractViolation outside the domain.
 template <int N, class T, Observer<Placed<N, T>, Inserted<N, T>, Finished> O = Unobserved>
@@ -443,9 +441,8 @@ Points<N + 1, T> weighted(std::span<const Point<N, T>> control, std::span<const 
 ///
 /// Domain: as de_boor, coordinates up to 1/4096 of the largest number; weights from 1/1024 to 1024.
 /// Steps: Mixed for each weighted point of each round, Reached, Divided.
-/// Accuracy: each coordinate within (10 n + 4) u M w of the exact one and 1024 (n + 1) of the smallest
-/// subnormal
-///   numbers; w is the largest weight over the smallest.
+/// Accuracy: each coordinate within (10 n + 4) u M w of the exact one and 1024 (n + 1) of the
+///   smallest subnormal numbers; w is the largest weight over the smallest.
 /// Cost: as de_boor with a coordinate more, one product and one quotient per coordinate.
 /// Errors: ContractViolation outside the domain.
 template <int N, class T, Observer<Mixed<N + 1, T>, Reached<N + 1, T>, Divided<N, T>> O = Unobserved>
