@@ -52,10 +52,10 @@ class InsertStory : public Past<steps::Started, Placed<2, double>, Inserted<2, d
             .words = {{"degree", subject_.degree()}},
             .count = static_cast<std::int64_t>(f.count)};
   }
+  /// The new polygon beside the old one, or all pieces.
   double tells(const auto& step) const {
-    if constexpr (std::same_as<std::decay_t<decltype(step)>, Placed<2, double>>)
-      return all_knots_ ? 0 : static_cast<double>(step.i);
-    return all_knots_ && std::same_as<std::decay_t<decltype(step)>, Finished> ? 1 : 0;
+    using Step = std::decay_t<decltype(step)>;
+    return all_knots_ ? std::same_as<Step, Finished> : std::same_as<Step, Inserted<2, double>>;
   }
 
   View draw() const {
