@@ -1,9 +1,13 @@
 #include "core/arithmetic/exact_scalar.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <atomic>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -77,9 +81,22 @@ Integer floor_of(const Rational& x) {
   return remainder < 0 ? Integer(quotient - 1) : quotient;
 }
 
+// Not Boost's str(): it asks the locale how to write a short number, and a module gets all that locales can
+// do
+std::string decimal(const Integer& x) {
+  constexpr std::uint64_t block = 1'000'000'000'000'000'000;  // 18 digits
+  std::string digits;
+  Integer left = boost::multiprecision::abs(x), above, below;
+  for (; left >= block; left = above) {
+    boost::multiprecision::divide_qr(left, Integer(block), above, below);
+    digits = fmt::format("{:018}", static_cast<std::uint64_t>(below)) + digits;
+  }
+  return fmt::format("{}{}{}", x < 0 ? "-" : "", static_cast<std::uint64_t>(left), digits);
+}
+
 std::int64_t to_int64(const Integer& x) {
   using Limits = std::numeric_limits<std::int64_t>;
-  expects(Limits::min() <= x && x <= Limits::max(), "{} does not fit into 64 bits", x.str());
+  expects(Limits::min() <= x && x <= Limits::max(), "{} does not fit into 64 bits", decimal(x));
   return static_cast<std::int64_t>(x);
 }
 
@@ -170,6 +187,9 @@ std::int64_t floor(Exact x) { return to_int64(floor_of(value_of(x))); }
 
 std::int64_t ceil(Exact x) { return to_int64(-floor_of(-value_of(x))); }
 
-std::string to_string(Exact x) { return value_of(x).str(); }
+std::string to_string(Exact x) {
+  const Integer above = numerator(value_of(x)), below = denominator(value_of(x));
+  return below == 1 ? decimal(above) : decimal(above) + "/" + decimal(below);
+}
 
 }  // namespace gradus

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <string>
 #include <thread>
 #include <type_traits>
 
@@ -65,6 +66,20 @@ TEST(ExactScalar, ShowsLowestTerms) {
   EXPECT_EQ(to_string(Exact(-6, -4)), "3/2");
   EXPECT_EQ(to_string(Exact(8, 4)), "2");
   EXPECT_EQ(to_string(Exact(std::numeric_limits<std::int64_t>::min(), -1)), "9223372036854775808");
+}
+
+TEST(ExactScalar, ShowsEveryDigitOfLongNumbers) {
+  const ExactScope scope;
+  Exact power = 1, ten = 1;
+  for (int i = 0; i < 200; ++i) power = power * 2;
+  for (int i = 0; i < 36; ++i) ten = ten * 10;
+  EXPECT_EQ(to_string(power), "1606938044258990275541962092341162602522202993782792835301376");
+  EXPECT_EQ(to_string(-power), "-" + to_string(power));
+  // Blocks of 18 digits with nothing but zeros, and the numbers around them
+  EXPECT_EQ(to_string(ten), "1" + std::string(36, '0'));
+  EXPECT_EQ(to_string(ten - 1), std::string(36, '9'));
+  EXPECT_EQ(to_string((ten + 1) / ten), "1" + std::string(35, '0') + "1/1" + std::string(36, '0'));
+  EXPECT_EQ(to_string(Exact(1'000'000'000'000'000'000)), "1" + std::string(18, '0'));
 }
 
 TEST(ExactScalar, RefusesDivisionByZero) {
