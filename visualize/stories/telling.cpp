@@ -132,6 +132,16 @@ void Board::detail(ivec2 focus) {
   clear();
 }
 
+void Board::milestone(View view) {
+  milestone();
+  draw(std::move(view));
+}
+
+void Board::detail(View view) {
+  detail();
+  draw(std::move(view));
+}
+
 void Board::plot(ivec2 pixel, Role role) {
   delta_.cells.push_back({pixel, CellLook{role, ""}});
   fresh_.push_back(pixel);
@@ -273,9 +283,9 @@ void Narrator::list_below(std::string_view function) {
   std::ranges::move(struck_of(source, function), std::back_inserter(trace().struck));
 }
 
-int Narrator::in_listed_file(int line, std::string_view file) {
+void Narrator::tell_listed(std::string_view type, int line, std::string_view file, Saying say) {
   const bool by_story = file.find("visualize/") != std::string_view::npos;
-  return by_story || file.ends_with(trace().source_file) ? line : 0;
+  tell(type, by_story || file.ends_with(trace().source_file) ? line : 0, say);
 }
 
 int Narrator::marked_line(int line) {
@@ -304,7 +314,7 @@ std::vector<std::string> Narrator::counts() const {
   return texts;
 }
 
-void Narrator::tell(std::string_view type, int line, const std::function<Event()>& say) {
+void Narrator::tell(std::string_view type, int line, Saying say) {
   line_ = line;
   count(type);
   const auto describe = [&](TraceStep& step) { this->describe(step, type, say()); };

@@ -123,6 +123,20 @@ struct Event {
   std::optional<int> line{};          ///< the source line to show, where the step's own is not listed
 };
 
+/// What says an event once it is asked for; it must outlive this. A std::function has more code, and that for
+/// each of many hundred kinds of steps.
+class Saying {
+ public:
+  template <std::invocable Say>
+  Saying(const Say& say)
+      : say_(&say), call_([](const void* it) -> Event { return (*static_cast<const Say*>(it))(); }) {}
+  Event operator()() const { return call_(say_); }
+
+ private:
+  const void* say_;
+  Event (*call_)(const void*);
+};
+
 /// A point's coordinates as facts: x, y, z, w.
 template <int N>
 std::vector<Field> fields_of(const glm::vec<N, double>& p) {
@@ -185,14 +199,8 @@ class Board {
   /// The whole drawing from now on.
   void draw(View view) { delta_ = shown_.change_to(std::move(view)); }
   /// The event that shows this drawing.
-  void milestone(View view) {
-    milestone();
-    draw(std::move(view));
-  }
-  void detail(View view) {
-    detail();
-    draw(std::move(view));
-  }
+  void milestone(View view);
+  void detail(View view);
 
  private:
   friend class Narrator;
@@ -326,7 +334,7 @@ class Narrator {
     };
   }
   /// The same for what no step tells: an input, a whole curve.
-  void tell(std::string_view type, int line, const std::function<Event()>& say);
+  void tell(std::string_view type, int line, Saying say);
   /// A run between Started and Finished, of an algorithm that reports neither: run(observer).
   template <class Story, class Run>
   void tell_whole(Story& story, const Run& run) {
@@ -357,7 +365,7 @@ class Narrator {
   /// "Stepped" of gradus::bresenham_line::Stepped, "Cut" of Cut<double>.
   template <class Step>
   static constexpr std::string_view step_name() {
-    return name_in(__PRETTY_FUNCTION__);
+    return {letters<Step>.data(), letters<Step>.size()};
   }
 
  private:
@@ -376,7 +384,7 @@ class Narrator {
       story.show(board_, step);
     }
     if constexpr (requires { story.tells(step); }) board_.tells(story.tells(step));
-    tell(step_name<Step>(), in_listed_file(line, file), [&] { return story.say(step); });
+    tell_listed(step_name<Step>(), line, file, [&] { return story.say(step); });
   }
   template <class Story, class Step>
     requires(Story::template is_untold<Step>)
@@ -386,9 +394,20 @@ class Narrator {
     name = name.substr(0, name.find_first_of("<;],"));
     return name.substr(name.rfind(':') + 1);
   }
-  /// A source line, or 0 where it is one of another file than the listed one. Lines that a story hands on it
-  /// has looked up.
-  int in_listed_file(int line, std::string_view file);
+  template <class Step>
+  static constexpr std::string_view found_name() {
+    return name_in(__PRETTY_FUNCTION__);
+  }
+  /// The name alone: what the compiler calls the function is many times longer.
+  template <class Step>
+  static constexpr auto letters = [] {
+    std::array<char, found_name<Step>().size()> all{};
+    std::ranges::copy(found_name<Step>(), all.begin());
+    return all;
+  }();
+  /// The same with the line at 0 where it is one of another file than the listed one. Lines that a story
+  /// hands on it has looked up.
+  void tell_listed(std::string_view type, int line, std::string_view file, Saying say);
   /// The line that is marked for a report from this one; 0 where it isn't in what is listed.
   int marked_line(int line);
   void count(std::string_view type);
