@@ -5,14 +5,12 @@
 #include <string_view>
 #include <variant>
 
+#include "figure/aside.hpp"
 #include "figure/layout/layout.hpp"
 #include "figure/trace.hpp"
 
 namespace gradus {
 namespace {
-
-/// Ids of marks that show a part of the drawing once more, larger: where many drawings are cut, that may go.
-constexpr std::string_view aside_prefix = "aside ";
 
 /// Whether letters of a text reach below its line.
 bool descends(std::string_view text) { return text.find_first_of("gjpqyQ,;()[]/") != std::string_view::npos; }
@@ -22,30 +20,30 @@ class Survey {
   explicit Survey(const Window& cells) : lower_(dvec2(cells.lower) - 0.5), upper_(dvec2(cells.upper) + 0.5) {}
 
   void add(const Mark& mark) {
-    const bool counts = mark.role != Role::guide && !mark.id.starts_with(aside_prefix);
+    const bool aside = is_aside(mark.id), counts = mark.role != Role::guide && !aside;
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
-      add(stroke->a, counts);
-      add(stroke->b, counts);
+      add(stroke->a, counts, aside);
+      add(stroke->b, counts, aside);
     } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
-      for (const dvec2 p : path->points) add(p, counts && !path->aside, path->aside);
+      for (const dvec2 p : path->points) add(p, counts && !path->aside, aside || path->aside);
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
-      add(dot->at, counts);
+      add(dot->at, counts, aside);
     } else if (const Area* area = std::get_if<Area>(&mark.shape)) {
       for (const auto& ring : area->rings) {
-        for (const dvec2 p : ring) add(p, false);
+        for (const dvec2 p : ring) add(p, false, aside);
       }
     } else if (const Picture* picture = std::get_if<Picture>(&mark.shape)) {
-      for (const dvec2 p : {picture->lower, picture->upper}) add(p, true, picture->aside);
+      for (const dvec2 p : {picture->lower, picture->upper}) add(p, !aside, aside || picture->aside);
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
       const double width = text_width(text->text, Face::sans, layout::text_size);
       const double left = text->align == Align::left ? 0 : text->align == Align::centre ? width / 2 : width;
       const double below = text->line * layout::paragraph_line;
       add_text(text->at, left, width - left, 0.45 * layout::text_size - below,
-               (descends(text->text) ? 0.65 : 0.42) * layout::text_size + below, text->aside);
+               (descends(text->text) ? 0.65 : 0.42) * layout::text_size + below, aside || text->aside);
     } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
       // Somewhere beside its point: half its width and a line are enough
       const double half = text_width(label->text, Face::sans, layout::text_size) / 2;
-      add_text(label->at, half, half, layout::text_size, layout::text_size);
+      add_text(label->at, half, half, layout::text_size, layout::text_size, aside);
     }
   }
   void add(const CellChange& change) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/contract.hpp"
+#include "figure/aside.hpp"
 #include "figure/layout/layout.hpp"
 
 namespace gradus {
@@ -280,8 +281,11 @@ void lay_out_counts(Pen& pen, const SheetPanel& panel, const Box& box) {
   }
 }
 
-/// Whether a frame shows anything of a mark that a legend tells of.
-bool shows(const Frame& frame, const Mark& mark, bool asides) {
+/// Whether a scene shows anything of a mark that a legend tells of.
+bool shows(const Scene& scene, const Mark& mark) {
+  const bool asides = !scene.among_many && !scene.bare;
+  if (!asides && is_aside(mark.id)) return false;
+  const Frame& frame = scene.frame;
   Content::Part reach;
   const auto add = [&](dvec2 p) { reach.add(frame.point(p)); };
   if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
@@ -307,8 +311,7 @@ bool shows(const Frame& frame, const Mark& mark, bool asides) {
 class SeenPart {
  public:
   SeenPart(const Figure& figure, const Scene& scene) : figure_(figure) {
-    const bool asides = !scene.among_many && !scene.bare;
-    const auto unseen = [&](const Mark& mark) { return !shows(scene.frame, mark, asides); };
+    const auto unseen = [&](const Mark& mark) { return !shows(scene, mark); };
     if (std::ranges::any_of(figure.trace->backdrop, unseen)) {
       trace_ = *figure.trace;
       std::erase_if(trace_->backdrop, unseen);

@@ -3,6 +3,7 @@
 // in a figure.
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -23,6 +24,10 @@ struct SurfaceLook {
   /// longer it is, the narrower they are. Where the surface has a crease they break, where its curvature
   /// jumps they have a corner.
   dvec3 bands{0};
+  /// Of faces in rows of `columns`, as a grid has them: lines every so many faces, along rows and across; 0:
+  /// none.
+  int columns = 0, every = 0;
+  std::span<const std::int32_t> marked{};  ///< faces that stand out, ascending: lighter than the others
 };
 
 /// The nearest face in each pixel, in light from the upper left in front; where there is none the picture is

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/geometry.hpp"
+#include "figure/aside.hpp"
 #include "figure/layout/layout.hpp"
 #include "figure/text/number_text.hpp"
 
@@ -231,8 +232,10 @@ class DrawingLayout {
   // --- Marks: taken first, drawn once the texts have their places -----------------------------------------
 
   bool without_asides() const { return at_.among_many || at_.bare; }
+  bool is_left_out(const Mark& mark) const { return without_asides() && is_aside(mark.id); }
 
   void take(const Mark& mark, bool fixed) {
+    if (is_left_out(mark)) return;
     if (figure_.canvas->plane()) draw_ground(mark);
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
       take_chain(mark, {stroke->a, stroke->b},
@@ -250,6 +253,7 @@ class DrawingLayout {
   }
 
   void draw_ground(const Mark& mark) {
+    if (is_left_out(mark)) return;
     if (const Area* area = std::get_if<Area>(&mark.shape)) draw_area(mark, *area);
     const Picture* picture = std::get_if<Picture>(&mark.shape);
     if (!picture || (picture->aside && without_asides())) return;

@@ -31,7 +31,7 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
                       {"point", shown(r.at.point)},
                       {"first", shown(r.at.first)}},
             .note = name_of(r.row),
-            .row = {name_of(r.row), shown(r.at.point), shown(r.at.first)},
+            .row = with_tangent({name_of(r.row), shown(r.at.point)}, r.at.first),
             .key = name_of(r.row),
             .phase = words_.say("phase.rows")};
   }
@@ -53,16 +53,15 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
     return {.text = "tangents",
             .facts = fields_of(t.along_u),
             .words = {{"along_u", shown(t.along_u)}, {"along_v", shown(t.along_v)}},
-            .read = {"S", shown(last<Reached<double>>()->point), shown(t.along_u)},
+            .read = with_tangent({"S", shown(last<Reached<double>>()->point)}, t.along_u),
             .key = "S",
             .phase = words_.say("phase.frame")};
   }
   Event say(const NormalFound<double>& n) const {
     const double length = length_of(n.normal);
-    const bool by_limit = is_defined() && (tangent_u() == dvec3{0} || tangent_v() == dvec3{0});
     return {
         .text = !is_defined() ? "normal.none"
-                : by_limit    ? "normal.limit"
+                : by_limit()  ? "normal.limit"
                 : transposed_ ? "normal.transposed"
                               : "normal",
         .facts = fields_of(n.normal),
@@ -75,9 +74,11 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
         .decides = yes_or_no(words_, "question.normal", {}, is_defined(), "normal", "none")};
   }
 
-  /// The last one has all of it.
+  /// The point, but for a normal that is not the tangents' product.
   double tells(const auto& step) const {
-    return std::same_as<std::decay_t<decltype(step)>, NormalFound<double>> ? 1 : 0;
+    using Step = std::decay_t<decltype(step)>;
+    if constexpr (std::same_as<Step, NormalFound<double>>) return !is_defined() || by_limit() ? 2 : 0;
+    return std::same_as<Step, Reached<double>> ? 1 : 0;
   }
 
   View draw() const {
@@ -88,21 +89,25 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
     if (row) add_rounds(view, row->control, uv_.x);
     for (const RowReduced<double>& r : rows)
       add_name(view, fmt::format("v point {}", r.row), Role::accepted, r.at.point, name_of(r.row));
-    if (!rows.empty()) add_in_square(view, "q u", Role::accepted, {uv_.x, 0}, {uv_.x, 1});
+    if (!rows.empty()) add_in_square(view, "aside q u", Role::accepted, {uv_.x, 0}, {uv_.x, 1});
     if (reached) {
       view.add({"t curve", Role::accepted, drawing_.path(curve_of(reached->column))});
       if (now<Reached<double>>()) add_rounds(view, reached->column, uv_.y);
-      add_in_square(view, "q v", Role::measure, {0, uv_.y}, {1, uv_.y}, true);
+      add_in_square(view, "aside q v", Role::measure, {0, uv_.y}, {1, uv_.y}, true);
       add_name(view, "y S", Role::result, reached->point, "S");
-      if (missed()) add_name(view, "y right", Role::accepted, right().point, words_.say("right"));
+      if (missed()) {
+        add_name(view, "y right", Role::accepted, right().point, words_.say("right"));
+        view.add({"x missed", Role::rejected,
+                  Stroke{drawing_.at(reached->point), drawing_.at(right().point), false, true}});
+      }
     }
     if (last<TangentsFound<double>>()) {
-      add_arrow_along(view, "x u", Role::measure, tangent_u(), words_.symbol("u"));
-      add_arrow_along(view, "x v", Role::measure, tangent_v(), words_.symbol("v"));
+      add_arrow_along(view, "x u", Role::measure, tangent_u(), words_.say("tangent.u"));
+      add_arrow_along(view, "x v", Role::measure, tangent_v(), words_.say("tangent.v"));
     }
     if (const auto* n = now<NormalFound<double>>(); n && is_defined())
       add_arrow_along(view, "x n", Role::result, n->normal, "N");
-    view.add({"z uv", reached ? Role::result : Role::input, Dot{PatchDrawing::in_square(uv_)}});
+    view.add({"aside z uv", reached ? Role::result : Role::input, Dot{PatchDrawing::in_square(uv_)}});
     return view;
   }
 
@@ -112,6 +117,10 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
     std::vector<Field> fields{{"row", static_cast<std::int64_t>(r.row)}};
     std::ranges::move(fields_of(r.at.point), std::back_inserter(fields));
     return fields;
+  }
+  std::vector<Said> with_tangent(std::vector<Said> row, dvec3 along_u) const {
+    if (!transposed_) row.push_back(shown(along_u));
+    return row;
   }
   /// Without what is only a rounding.
   dvec3 shown(dvec3 p) const {
@@ -125,6 +134,7 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
   }
   dvec3 tangent_u() const { return last<TangentsFound<double>>()->along_u; }
   dvec3 tangent_v() const { return last<TangentsFound<double>>()->along_v; }
+  bool by_limit() const { return is_defined() && (tangent_u() == dvec3{0} || tangent_v() == dvec3{0}); }
   /// Whether the normal is more than what roundings leave of parallel tangents.
   bool is_defined() const {
     const double longest = std::max({length_of(tangent_u()), length_of(tangent_v()), 1e-9 * drawing_.size()});
@@ -138,13 +148,13 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
                             bool dashed = false) {
     view.add({id, role, Stroke{PatchDrawing::in_square(from), PatchDrawing::in_square(to), false, dashed}});
   }
-  /// A row or the column of points, and the rounds that reduce it.
+  /// A row or the column of points, and the rounds that reduce it; the last one is the tangent's edge.
   void add_rounds(View& view, Points<double> b, double t) const {
     view.add({"u control", Role::current, drawing_.path(b)});
     for (int round = 1; b.size() > 2; ++round) {
       for (Index i = 0; i + 1 < b.size(); ++i) b[i] = (1 - t) * b[i] + t * b[i + 1];
       b.pop_back();
-      view.add({fmt::format("u round {}", round), Role::measure, drawing_.path(b, true)});
+      view.add({fmt::format("u round {}", round), Role::measure, drawing_.path(b, b.size() > 2)});
       for (Index i = 0; i < b.size(); ++i)
         view.add({fmt::format("u round {} {}", round, i), Role::measure, Dot{drawing_.at(b[i])}});
     }
@@ -200,18 +210,25 @@ void tell_point(Narrator& narrator) {
     else
       return de_casteljau(net, uv.x, uv.y, watch...);
   };
-  const PatchDrawing drawing(net, reader, found());
+  const PatchDrawing drawing(narrator.words(), net, reader, found(), uv);
   require_scale(drawing.panel(), arguments, {"control"});
   narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle", {{"rows", net.rows()}, {"columns", net.columns}});
-  narrator.columns({{"point", false}, {"place", false}, {"along", false}});
+  // What the columns go along tells nothing of the surface
+  if (by_columns)
+    narrator.columns({{"point", false}, {"place", false}});
+  else
+    narrator.columns({{"point", false}, {"place", false}, {"along", false}});
   narrator.legend({{Role::input, "net"},
                    {Role::current, "row"},
                    {Role::accepted, "column"},
                    {Role::measure, "rounds"},
-                   {Role::result, "point"}});
-  narrator.list("reduced");
-  narrator.list_below(narrator.method().name);
+                   {Role::result, "point"},
+                   {Role::rejected, "missed"}});
+  if (!by_columns) {
+    narrator.list("reduced");
+    narrator.list_below(narrator.method().name);
+  }
   narrator.handles("uv", [](dvec2 p) { return PatchDrawing::in_square(p); });
   narrator.handles("control", [&](dvec3 p) { return drawing.at(p); });
   PointStory story(narrator.words(), net, uv, drawing, by_columns);
@@ -256,7 +273,7 @@ const TopicEntry& entry() {
             {.name = "transposed", .standing = Standing::faulty, .tell = tell_point<true>, .unread = of_join},
             {.name = "turned_back", .standing = Standing::faulty, .tell = tell_join<true>, .unread = {"uv"}}},
        .parameters = {points(4, 36, "control",
-                             "0,1,12 4,3,12 8,2,12 12,0,12 0,3,8 4,6,8 8,5,8 12,2,8 "
+                             "0,-1,12 4,1,12 8,0,12 12,-2,12 0,3,8 4,6,8 8,5,8 12,2,8 "
                              "0,5,4 4,9,4 8,8,4 12,4,4 0,5,0 4,9,0 8,8,0 12,5,0",
                              "0,0,6 6,4,6 0,4,0 6,0,0", "control points, row by row", xyz, modest),
                       integer(2, 6, "columns", "4", "2", "how many control points a row has"),

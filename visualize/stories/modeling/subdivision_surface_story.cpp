@@ -21,11 +21,25 @@ constexpr auto level_of = [](const Control& mesh, const auto&... a) {
   if constexpr (way == Way::always_four) return always_four(mesh, a...);
 };
 
-/// The levels, from the control mesh on.
+/// The levels, from the control mesh on, and the report of each: the run itself, told once all are known.
+struct Levels {
+  struct Report {
+    LevelDone done;
+    int line;
+    const char* file;
+  };
+  std::vector<Control> meshes;
+  std::vector<Report> reports{};
+};
 template <Way way>
-std::vector<Control> levels_of(const Subject& subject) {
-  std::vector<Control> levels{subject.mesh};
-  for (int k = 0; k < subject.levels; ++k) levels.push_back(level_of<way>(levels.back()));
+Levels levels_of(const Subject& subject) {
+  Levels levels{{subject.mesh}};
+  const auto keep = [&]<class Step>(const Step& step, int line = __builtin_LINE(),
+                                    const char* file = __builtin_FILE()) {
+    if constexpr (std::same_as<Step, LevelDone>) levels.reports.push_back({step, line, file});
+  };
+  for (int k = 1; k <= subject.levels; ++k)
+    levels.meshes.push_back(level_of<way>(levels.meshes.back(), k, keep));
   return levels;
 }
 
@@ -40,18 +54,14 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
         way_(way),
         levels_(std::move(levels)),
         weights_(weights),
-        pictures_(words, subject),
-        star_(links, subject.vertex, star_centre, star_radius) {
-    const View outer = outer_pictures();
-    for (int k = 1; k <= subject.levels; ++k) {
-      // The last level has a picture of its own
-      const bool is_known = k > 1 && k == subject.levels;
-      backgrounds_.push_back(is_known ? backgrounds_.back() : outer);
-      if (!is_known) add_level(backgrounds_.back(), "b", places[1], k);
-    }
+        pictures_(words, subject, levels_[1]),
+        star_(links, subject.vertex, star_centre, star_radius),
+        star_faces_(faces_at(subject.mesh, subject.vertex)) {
+    if (way == Way::always_four) right_ = catmull_clark(subject.mesh, 1);
+    background_ = outer_pictures();
   }
 
-  dvec2 at(dvec3 p) const { return pictures_.at(places[0], p); }
+  dvec2 at(dvec3 p) const { return pictures_.at(control_picture(places[0]), p); }
   const Control& level(int k) const { return levels_[static_cast<std::size_t>(k)]; }
 
   bool concerns(const FacePointFound<double>& s) const { return s.level == 1 && is_in(star().faces, s.face); }
@@ -59,7 +69,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
   bool concerns(const VertexPointFound<double>& s) const {
     return s.level == 1 && s.vertex == subject_.vertex;
   }
-  static bool concerns(const LevelDone&) { return true; }
+  static bool concerns(const LevelDone&) { return false; }  // told once all levels are
 
   double tells(const auto& step) const {
     using Step = std::decay_t<decltype(step)>;
@@ -81,6 +91,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
         .text = "face_point",
         .facts = fields_of(s.point),
         .words = {{"name", name}, {"corners", links_.ring(s.face).size()}, {"point", short_place(s.point)}},
+        .note = name,
         .row = {name, short_place(s.point)},
         .key = name,
         .phase = words_.say("phase.faces")};
@@ -108,6 +119,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
     std::vector<std::string> answers;
     for (const char* branch : branches) answers.push_back(words_.say(fmt::format("rule.{}", branch)));
     const auto [own, near, far] = weights();
+    const WeightTexts weight = texts_of(at(subject_.vertex));
     return {.text = fades                 ? "vertex_point.fading"
                     : kind == 2           ? "vertex_point.corner"
                     : kind == 1           ? "vertex_point.crease"
@@ -117,10 +129,10 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
             .facts = fields_of(s.point),
             .words = {{"from", short_place(s.from)},
                       {"point", short_place(s.point)},
-                      {"own", own},
-                      {"near", near},
-                      {"far", far},
-                      {"rest", 1 - own},
+                      {"own", weight(own)},
+                      {"near", weight(near)},
+                      {"far", weight(far)},
+                      {"rest", weight(1 - own)},
                       {"vertex", subject_.vertex + 1},
                       {"smooth", s.rule.smooth}},
             .note = moved(),
@@ -146,8 +158,8 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
   }
 
   View draw() const {
-    const LevelDone* done = last<LevelDone>();
-    View view = backgrounds_[static_cast<std::size_t>(done ? done->level : 1) - 1];
+    if (const auto* done = now<LevelDone>()) return level_picture(done->level);
+    View view = background_;
     star_.add_to(view);
     add_sharp_edges(view);
     for (const auto& s : all<FacePointFound<double>>())
@@ -169,9 +181,6 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
         add_means(view, *v);
       else
         add_sum(view, at(v->vertex), moved(), v->point, Role::current);
-    } else if (done) {
-      add_weights(view, at(subject_.vertex), Role::current);
-      add_course(view, done->level);
     }
     return view;
   }
@@ -187,33 +196,65 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
     return subject_.mesh.points.size() + links_.edges().size() + at(f);
   }
 
-  /// The control mesh, and the last level or the right one.
+  LevelPicture control_picture(const Extent& place, bool aside = false) const {
+    return {.id = aside ? "d" : "a",
+            .place = place,
+            .heading = words_.say("control"),
+            .aside = aside,
+            .marked = star_faces_};
+  }
+  LevelPicture level_picture_of(const std::string& id, const Extent& place, int k, bool aside = true) const {
+    return {.id = id,
+            .place = place,
+            .heading = words_.say("level", {{"level", k}}),
+            .aside = aside,
+            .close = place.size() == large_places[0].size()};
+  }
+  /// The control mesh, the first level, and the last one or the right one.
   View outer_pictures() const {
     View view;
-    pictures_.add(view, "a", places[0], words_.say("control"), levels_[0], true);
-    pictures_.add_vertex(view, "v a", places[0], subject_.of(levels_[0]));
-    if (way_ != Way::always_four) {
-      if (subject_.levels > 1) add_level(view, "c", places[2], subject_.levels);
-      return view;
-    }
-    const Control right = catmull_clark(subject_.mesh, 1);
-    pictures_.add(view, "c", places[2], words_.say("right"), right);
-    for (std::size_t f = 0; f < right.faces.size(); ++f) {
-      if (!has_face(levels_[1], right.faces[f]))
-        pictures_.add_outline(view, fmt::format("m {}", f), places[1], right, f);
+    add(view, control_picture(places[0]), 0);
+    const LevelPicture first = level_picture_of("b", places[1], 1);
+    add(view, first, 1);
+    if (way_ == Way::always_four) {
+      add_right(view, first, places[2]);
+    } else if (subject_.levels > 1) {
+      add(view, level_picture_of("c", places[2], subject_.levels), subject_.levels);
     }
     return view;
+  }
+  /// A level alone, large, and what it is made from or should be.
+  View level_picture(int k) const {
+    View view;
+    const LevelPicture whole = level_picture_of("a", large_places[0], k, false);
+    add(view, whole, k);
+    if (way_ == Way::always_four) {
+      add_right(view, whole, large_places[1]);
+    } else {
+      add(view, control_picture({{18.8, places[0].lower.y}, {35.8, 27}}, true), 0);
+      add_course(view, k);
+    }
+    return view;
+  }
+  void add(View& view, const LevelPicture& picture, int k) const {
+    pictures_.add(view, picture, level(k));
+    pictures_.add_vertex(view, picture, subject_.of(level(k)));
+  }
+  /// The right level, and its faces that the one in this picture lacks.
+  void add_right(View& view, const LevelPicture& wrong, const Extent& place) const {
+    pictures_.add(
+        view,
+        {.id = "c", .place = place, .heading = words_.say("right"), .aside = true, .close = wrong.close},
+        right_);
+    for (std::size_t f = 0; f < right_.faces.size(); ++f) {
+      if (!has_face(levels_[1], right_.faces[f])) pictures_.add_outline(view, wrong, right_, f);
+    }
   }
   static bool has_face(const Control& mesh, std::span<const std::int32_t> ring) {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
       if (std::ranges::equal(mesh.faces[f], ring)) return true;
     }
     return false;
-  }
-  void add_level(View& view, const std::string& id, const Extent& place, int k) const {
-    const Control& level = levels_[static_cast<std::size_t>(k)];
-    pictures_.add(view, id, place, words_.say("level", {{"level", k}}), level);
-    pictures_.add_vertex(view, "v " + id, place, subject_.of(level));
   }
 
   void add_sharp_edges(View& view) const {
@@ -235,20 +276,25 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
   template <class Found>
   void add_point(View& view, const Found& found, std::size_t point, Role role) const {
     const bool fresh = &found == now<Found>();
-    if (!fresh && last<LevelDone>()) return;
     view.add({fmt::format("t {:05}", point), role, Dot{flat(point), !fresh}});
   }
+  WeightTexts texts_of(std::size_t point) const {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < weights_.vertices().size(); ++i) all.push_back(weights_.of(i, point));
+    return WeightTexts(all);
+  }
   void add_weights(View& view, std::size_t point, Role role) const {
+    const WeightTexts weight = texts_of(point);
     for (std::size_t i = 0; i < weights_.vertices().size(); ++i) {
       const double w = weights_.of(i, point);
       if (w == 0) continue;
       const std::int32_t v = weights_.vertices()[i];
       if (v == subject_.vertex) {
-        view.add({"x own", role, Label{star_centre, weight_text(w)}});
+        view.add({"x own", role, Label{star_centre, weight(w)}});
         continue;
       }
       view.add({fmt::format("w {:05}", v), Role::input, Dot{star_.places().at(v)}});
-      view.add({fmt::format("x {:05}", v), role, Text{star_.beside(v), weight_text(w), Align::centre, true}});
+      view.add({fmt::format("x {:05}", v), role, Text{star_.beside(v), weight(w), Align::centre}});
     }
   }
   /// What the vertex itself, a neighbour and a corner across from it count; 0: nothing, -1: not all the same.
@@ -269,12 +315,13 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
 
   /// The point as a sum of vertices, each with its weight.
   void add_sum(View& view, std::size_t point, const std::string& name, dvec3 sum, Role role) const {
+    const WeightTexts weight = texts_of(point);
     std::vector<std::string> terms;
     for (std::size_t i = 0; i < weights_.vertices().size(); ++i) {
       const double w = weights_.of(i, point);
       const std::int32_t v = weights_.vertices()[i];
       if (w != 0)
-        terms.push_back(fmt::format("{} · {}", weight_text(w), short_place(subject_.mesh.points[at(v)])));
+        terms.push_back(fmt::format("{} · {}", weight(w), short_place(subject_.mesh.points[at(v)])));
     }
     const std::size_t most = terms.size() > 6 ? 5 : 6;
     int line = 0;
@@ -319,7 +366,9 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
   const Weights& weights_;
   const LevelPictures pictures_;
   const StarDrawing star_;
-  std::vector<View> backgrounds_{};
+  const std::vector<std::int32_t> star_faces_;
+  Control right_{};  ///< the first level, where it is told wrong
+  View background_{};
 };
 
 /// The vertices of the faces at a vertex: all that count for what the next level has there.
@@ -342,8 +391,10 @@ void tell_vertex(Narrator& narrator) {
   const Links links(subject.mesh);
   const Weights weights(subject.mesh, vertices_round(links, subject.vertex),
                         [](const Control& units) { return level_of<way>(units).points; });
-  VertexStory story(narrator.words(), subject, links, way, levels_of<way>(subject), weights);
+  Levels levels = levels_of<way>(subject);
+  VertexStory story(narrator.words(), subject, links, way, std::move(levels.meshes), weights);
   narrator.paper(paper_width, paper_height);
+  narrator.trace().grid.lines = least_cell_of_lines;
   narrator.subtitle("subtitle", {{"vertices", subject.mesh.points.size()},
                                  {"faces", subject.mesh.faces.size()},
                                  {"vertex", subject.vertex + 1}});
@@ -362,7 +413,8 @@ void tell_vertex(Narrator& narrator) {
     if (story.concerns(step)) watch(step, line, file);
   };
   watch(steps::Started{}, 0);
-  for (int k = 1; k <= subject.levels; ++k) level_of<way>(story.level(k - 1), k, of_vertex);
+  level_of<way>(subject.mesh, 1, of_vertex);
+  for (const auto& [done, line, file] : levels.reports) watch(done, line, file);
   const Control& last = story.level(subject.levels);
   narrator.result(last.points, last.faces);
   narrator.result(
@@ -371,19 +423,16 @@ void tell_vertex(Narrator& narrator) {
 
 void tell_levels(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments(), false);
-  LevelsStory story(narrator.words(), subject, levels_of<Way::catmull_clark>(subject));
+  Levels levels = levels_of<Way::catmull_clark>(subject);
+  LevelsStory story(narrator.words(), subject, std::move(levels.meshes));
   narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle.levels", {{"vertices", subject.mesh.points.size()}});
   add_credit(narrator);
   narrator.columns({{"level"}, {"vertices"}, {"faces"}});
-  narrator.legend({{Role::current, "vertex"}});
   const auto watch = narrator.watcher(story);
-  const auto levels_alone = [&]<class Step>(const Step& step, int line = __builtin_LINE(),
-                                            const char* file = __builtin_FILE()) {
-    if constexpr (std::same_as<Step, LevelDone>) watch(step, line, file);
-  };
   watch(steps::Started{}, 0);
-  const Control last = catmull_clark(subject.mesh, subject.levels, levels_alone);
+  for (const auto& [done, line, file] : levels.reports) watch(done, line, file);
+  const Control& last = story.last();
   narrator.result(last.points, last.faces);
   narrator.result(
       {{"vertices", std::ssize(last.points)}, {"faces", static_cast<std::int64_t>(last.faces.size())}});
@@ -397,6 +446,7 @@ void tell_limit(Narrator& narrator) {
     refuse("creases", "expected a sharpness of at most 1 or from 10 on at vertex {}", subject.vertex + 1);
   LimitStory story(narrator.words(), subject, {subject.mesh, next, catmull_clark(next, 3)}, links);
   narrator.paper(paper_width, paper_height);
+  narrator.trace().grid.lines = least_cell_of_lines;
   narrator.subtitle("subtitle", {{"vertices", subject.mesh.points.size()},
                                  {"faces", subject.mesh.faces.size()},
                                  {"vertex", subject.vertex + 1}});

@@ -429,6 +429,19 @@ TEST(Panels, OfTheViewportAreFilledByBothFrames) {
   EXPECT_GE(widths, 0.5 * frames_in(sheet)[0].width) << "without the pixel that is enlarged below them";
 }
 
+TEST(Panels, LeaveOutWhatStandsAside) {
+  // The star below its solid fills a panel from side to side, without the levels beside it
+  const Sheet sheet = sheet_for(spec_of("subdivision_surface", {{"panels", "phases"}}));
+  ASSERT_EQ(frames_in(sheet).size(), 4u);
+  for (const Shape& shape : sheet.shapes)
+    EXPECT_THAT(shape.id, testing::Not(HasSubstr("aside "))) << shape.id;
+  const auto picture = std::ranges::find(sheet.shapes, "panel 4 a a", &Shape::id);
+  ASSERT_NE(picture, sheet.shapes.end());
+  EXPECT_GE(extents_of(*picture).width, 0.7 * frames_in(sheet)[3].width);
+  // Where one drawing is all there is, they stand beside it
+  EXPECT_TRUE(has(sheet_for(spec_of("subdivision_surface", {})), "aside b a"));
+}
+
 TEST(Panels, SayEachItsOwnWhereThatTakesNothingOfThem) {
   EXPECT_TRUE(has(sheet_for(spec_of("sutherland_hodgman", {{"panels", "phases"}})), "panel 1 sentence 1"));
   const Sheet pipeline = sheet_for(spec_of("pipeline", {{"panels", "phases"}}));

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "figure/aside.hpp"
 #include "stories/modeling/bezier_patch/subject.hpp"
 #include "stories/past.hpp"
 #include "stories/rendered_surface.hpp"
@@ -164,7 +165,7 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
           fmt::format("{} {}", order_names[static_cast<std::size_t>(&m - all<SeamMeasured<double>>().data())],
                       kind == 4 ? words_.say("none") : line(kind, values(m.seam)[kind]));
     }
-    return {.text = "join.finished", .words = {{"list", list}}};
+    return {.text = "join.finished", .words = {{"list", list}}, .line = line_};
   }
 
   View draw() const {
@@ -186,11 +187,18 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
   }
 
  private:
-  static constexpr Extent whole{{0.3, 8.6}, {35.7, 21.3}}, section{{0.5, 0.3}, {23.5, 8.2}};
-  static constexpr std::array<Extent, 4> small{{{{0.3, 11.2}, {17.7, 21.8}},
-                                                {{18.3, 11.2}, {35.7, 21.8}},
-                                                {{0.3, 0.2}, {17.7, 10.8}},
-                                                {{18.3, 0.2}, {35.7, 10.8}}}};
+  static constexpr Extent whole{{0.3, 0.3}, {35.7, 17.3}}, section{{0.5, 18}, {23.5, 26.8}};
+  /// Of all orders; two lie above each other.
+  static constexpr std::array<Extent, 4> small{{{{0.3, 13.7}, {17.7, 26.8}},
+                                                {{18.3, 13.7}, {35.7, 26.8}},
+                                                {{0.3, 0.2}, {17.7, 13.3}},
+                                                {{18.3, 0.2}, {35.7, 13.3}}}};
+  Extent place_of(std::size_t k) const {
+    const std::size_t orders = nets_.size() - 1;
+    if (orders == 1) return {{0.3, 0.2}, {35.7, 26.8}};
+    if (orders == 2) return {small[2 * k - 2].lower, small[2 * k - 1].upper};
+    return small[k - 1];
+  }
   static constexpr std::array<const char*, 4> quantities{"gap", "angle", "slope", "curvature"};
 
   std::vector<const Net*> all_nets() const {
@@ -236,7 +244,7 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
                 i == kind  ? Role::rejected
                 : i < kind ? Role::accepted
                            : Role::past,
-                Text{{25, 7.3 - 2 * static_cast<double>(i)}, line(i, all[i]), Align::left, true}});
+                Text{{24.4, 25.4 - 2 * static_cast<double>(i)}, line(i, all[i]), Align::left, true}});
   }
 
   // Drawings
@@ -251,11 +259,8 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
       const auto from = static_cast<std::int32_t>(points.size());
       const auto surface = on_grid(*net, pieces, pieces);
       points.insert(points.end(), surface.points.begin(), surface.points.end());
-      for (int j = 0; j <= pieces; ++j) {
-        for (int i = 0; i <= pieces; ++i)
-          normals.push_back(unit_vector(
-              de_casteljau(*net, static_cast<double>(i) / pieces, static_cast<double>(j) / pieces).normal));
-      }
+      const auto its_normals = normals_on_grid(*net, pieces);
+      normals.insert(normals.end(), its_normals.begin(), its_normals.end());
       for (std::size_t f = 0; f < surface.faces.size(); ++f) {
         const auto r = surface.faces[f];
         faces.add(std::array{from + r[0], from + r[1], from + r[2], from + r[3]});
@@ -267,7 +272,7 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
                                 .up = reader.up,
                                 .towards = reader.towards,
                                 .shown = extent_,
-                                .width = 272,
+                                .width = 400,
                                 .normals = normals,
                                 .bands = {9, 0, 0}});
     return picture;
@@ -277,9 +282,11 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
   }
   /// One of four.
   void add_small(View& view, std::size_t k) const {
-    const Extent& place = small[k - 1];
+    const Extent place = place_of(k);
     const Panel shown = panel({place.lower, place.upper - dvec2{0, 1.9}});
-    const std::string id = fmt::format("a {}", k);
+    // Panels show of a drawing what lies where they have the surface: the later orders
+    const bool aside = place.lower.y > whole.lower.y && nets_.size() > 2;
+    const std::string id = fmt::format("{}a {}", aside ? aside_prefix : "", k);
     add_picture(view, id, shown, k);
     add_seam(view, id + " seam", shown, nets_[k].row(0));
     const double y = place.upper.y - 0.8;
@@ -347,8 +354,8 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
       for (std::size_t i = 0; i < s->curve.size(); ++i) extent.add(s->curve[i] + scale * s->way[i]);
     }
     const Panel shown(section, extent);
-    add_comb(view, "m first", Role::input, shown, first_, scale);
-    add_comb(view, "m second", k == 0 ? Role::candidate : Role::current, shown, sections_[k],
+    add_comb(view, "aside m first", Role::input, shown, first_, scale);
+    add_comb(view, "aside m second", k == 0 ? Role::candidate : Role::current, shown, sections_[k],
              k == 0 ? 0 : scale);
   }
   std::vector<const Section*> all_sections() const {
@@ -368,7 +375,7 @@ class JoinStory : public Past<steps::Started, RowSet<double>, SeamMeasured<doubl
     for (std::size_t i = 1; scale > 0 && i < tips.size(); ++i)
       view.add({fmt::format("{} comb {:02}", id, i), Role::measure,
                 Stroke{tips[i - 1], tips[i], false, false, true}});
-    view.add({"n " + id, role, Path{shown.at(s.curve)}});
+    view.add({id + " curve", role, Path{shown.at(s.curve)}});
   }
 
   const Words& words_;
@@ -403,7 +410,7 @@ Net tell_orders(Narrator& narrator, const JoinSubject& subject, const Joined& jo
            "expected patches with a normal along the seam and across it");
   JoinStory story(narrator.words(), subject, nets, narrator.method().standing == Standing::faulty);
   require_scale(story.shown(), narrator.arguments(), {"control", "second"});
-  narrator.paper(paper_width, 22);
+  narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle.join", {{"rows", subject.first.rows()}, {"columns", subject.first.columns}});
   narrator.columns({{"order", false}, {"gap"}, {"angle"}, {"slope"}, {"curvature"}});
   narrator.legend({{Role::input, "first"},

@@ -34,6 +34,17 @@ inline double size_of(const Points<double>& points) {
   return 2 * bounds.radius();
 }
 
+/// The normals of on_grid's points, so many faces along each side.
+inline Points<double> normals_on_grid(const Net& net, int pieces) {
+  Points<double> normals;
+  for (int j = 0; j <= pieces; ++j) {
+    for (int i = 0; i <= pieces; ++i)
+      normals.push_back(unit_vector(
+          de_casteljau(net, static_cast<double>(i) / pieces, static_cast<double>(j) / pieces).normal));
+  }
+  return normals;
+}
+
 /// The points of a curve with these control points.
 inline Points<double> curve_of(const Points<double>& control) {
   constexpr int pieces = 24;

@@ -3,142 +3,123 @@
 
 #include <array>
 #include <map>
-#include <set>
+#include <memory>
+#include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "core/arithmetic/elementary.hpp"
+#include "figure/aside.hpp"
 #include "stories/modeling/subdivision_surface/subject.hpp"
 #include "stories/rendered_surface.hpp"
 
 namespace gradus::subdivision_surface {
 
-/// Drawings of lines for up to so many faces; more are rendered, up to so many with lines between them.
-inline constexpr std::size_t most_drawn = 300, most_faceted = 900;
+/// Surfaces of up to so many faces have lines between them.
+inline constexpr std::size_t most_faceted = 900;
 
 inline constexpr int paper_width = 36, paper_height = 27;
-/// Three pictures above.
+/// Three pictures above,
 inline constexpr std::array<Extent, 3> places{
-    {{{0.2, 13.6}, {11.8, 27}}, {{12.2, 13.6}, {23.8, 27}}, {{24.2, 13.6}, {35.8, 27}}}};
-/// Below them a star on the left,
+    {{{2.7, 13.6}, {13.3, 27}}, {{14.2, 13.6}, {24.8, 27}}, {{25.2, 13.6}, {35.8, 27}}}};
+/// or two large ones.
+inline constexpr std::array<Extent, 2> large_places{{{{0.2, 0.2}, {17.2, 27}}, {{18.8, 0.2}, {35.8, 27}}}};
+/// Below the first picture a star,
 inline constexpr dvec2 star_centre{8, 5.9};
 inline constexpr double star_radius = 5.2;
-/// and on the right lines of text, from 0 on.
+/// and on the right lines of text, from 0 on; in smaller cells they would lie on each other.
+inline constexpr double least_cell_of_lines = 13.5;
 inline void add_line(View& view, int line, Role role, std::string text) {
   view.add({fmt::format("y {:02}", line), role,
             Text{{18, 11.6 - 1.75 * line}, std::move(text), Align::left, true}});
 }
 
-/// Pictures of the levels, all in one scale.
+/// A picture of a surface with its heading.
+struct LevelPicture {
+  std::string id{};
+  Extent place{};
+  std::string heading{};
+  bool aside = false;                      ///< no drawing among many shows it
+  bool close = false;                      ///< as large as there is room for the first level
+  std::span<const std::int32_t> marked{};  ///< faces that stand out
+
+  std::string name() const { return aside ? std::string(aside_prefix) + id : id; }
+};
+
+/// Pictures of surfaces; those in places of one size are in one scale.
 class LevelPictures {
  public:
-  LevelPictures(const Words& words, const Subject& subject) : words_(words), subject_(subject) {
-    for (const dvec3 p : subject.mesh.points) extent_.add(subject.reader.flat(p));
-    extent_ = widened(extent_, 0.02);
-  }
+  /// first: the first level, where pictures of levels alone are close to it.
+  LevelPictures(const Words& words, const Subject& subject, const Control& first = {})
+      : words_(words), subject_(subject), extents_{extent_of(subject.mesh), extent_of(first)} {}
 
   /// Where a place of the surface is shown.
-  dvec2 at(const Extent& place, dvec3 p) const { return panel(place).at(subject_.reader.flat(p)); }
+  dvec2 at(const LevelPicture& picture, dvec3 p) const { return panel(picture).at(subject_.reader.flat(p)); }
 
-  /// A picture below its heading. star: its faces at the vertex stand out.
-  void add(View& view, const std::string& id, const Extent& place, std::string heading, const Control& mesh,
-           bool star = false) const {
-    const double middle = place.centre().x;
-    view.add({id + " h", Role::boundary,
-              Text{{middle, place.upper.y - 0.6}, std::move(heading), Align::centre, true}});
-    view.add({id + " n", Role::past,
-              Text{{middle, place.upper.y - 2.1},
-                   words_.say("counts", {{"vertices", mesh.points.size()}, {"faces", mesh.faces.size()}}),
-                   Align::centre,
-                   true}});
-    if (mesh.faces.size() <= most_drawn)
-      draw(view, id, place, mesh, star);
-    else
-      render(view, id, place, mesh);
+  void add(View& view, const LevelPicture& picture, const Control& mesh) const {
+    add_headings(view, picture,
+                 words_.say("counts", {{"vertices", mesh.points.size()}, {"faces", mesh.faces.size()}}));
+    const Panel shown = panel(picture);
+    const Extent& extent = extent_in(picture);
+    view.add({picture.name() + " a", Role::past,
+              Picture{shown.at(extent.lower), shown.at(extent.upper), rendered(mesh, picture)}});
   }
-  void add_vertex(View& view, const std::string& id, const Extent& place, dvec3 p) const {
-    view.add({id, Role::current, Dot{at(place, p)}});
+  /// Of a surface that is not there yet.
+  void add_heading(View& view, const LevelPicture& picture) const { add_headings(view, picture, ""); }
+  void add_vertex(View& view, const LevelPicture& picture, dvec3 p) const {
+    view.add({picture.name() + " v", Role::current, Dot{at(picture, p)}});
   }
   /// The face of another mesh that is missing here.
-  void add_outline(View& view, const std::string& id, const Extent& place, const Control& mesh,
-                   std::size_t f) const {
-    const auto flat = [&](dvec3 p) { return at(place, p); };
-    view.add({id, Role::rejected, Path{mapped(ring_of(mesh, f), flat), true}});
+  void add_outline(View& view, const LevelPicture& picture, const Control& mesh, std::size_t f) const {
+    std::vector<dvec2> ring;
+    for (const auto v : mesh.faces[f]) ring.push_back(at(picture, mesh.points[static_cast<std::size_t>(v)]));
+    view.add({fmt::format("{} missing {}", picture.name(), f), Role::rejected, Path{std::move(ring), true}});
   }
 
  private:
+  void add_headings(View& view, const LevelPicture& picture, std::string counts) const {
+    const double middle = picture.place.centre().x, top = picture.place.upper.y;
+    view.add({picture.name() + " h", Role::boundary,
+              Text{{middle, top - 0.6}, picture.heading, Align::centre, picture.aside}});
+    if (counts.empty()) return;
+    view.add({picture.name() + " n", Role::past,
+              Text{{middle, top - 2.1}, std::move(counts), Align::centre, picture.aside}});
+  }
   /// Below the heading.
-  Panel panel(const Extent& place) const {
-    return Panel({place.lower, place.upper - dvec2{0, 2.6}}, extent_);
+  Panel panel(const LevelPicture& picture) const {
+    return Panel({picture.place.lower, picture.place.upper - dvec2{0, 2.8}}, extent_in(picture));
   }
-  static std::vector<dvec3> ring_of(const Control& mesh, std::size_t f) {
-    std::vector<dvec3> ring;
-    for (const auto v : mesh.faces[f]) ring.push_back(mesh.points[static_cast<std::size_t>(v)]);
-    return ring;
+  Extent extent_of(const Control& mesh) const {
+    Extent extent;
+    for (const dvec3 p : mesh.points) extent.add(subject_.reader.flat(p));
+    return widened(extent, 0.02);
   }
-  void draw(View& view, const std::string& id, const Extent& place, const Control& mesh, bool star) const {
-    const Panel shown = panel(place);
-    const SpaceLook look = subject_.reader.look(shown);
-    SpaceDrawing drawing(look);
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      const auto ring = ring_of(mesh, f);
-      const bool stands_out = star && std::ranges::count(mesh.faces[f], subject_.vertex) > 0;
-      const Role role = stands_out ? Role::current : Role::input;
-      // A bent face as triangles, all in its own shade
-      const int shade = is_flat(ring) ? 0 : shade_of(look.turned(area_vector(ring)));
-      const auto add = [&](std::vector<dvec3> part) {
-        drawing.add(
-            SpaceFace{.id = id, .role = role, .ring = std::move(part), .one_sided = false, .shade = shade});
-      };
-      if (is_flat(ring)) {
-        add(ring);
-      } else {
-        for (std::size_t i = 1; i + 1 < ring.size(); ++i) add({ring[0], ring[i], ring[i + 1]});
-      }
-    }
-    for (const auto& [a, b] : edges_between(mesh)) {
-      drawing.add(SpaceEdge{.id = fmt::format("{} e {:04}", id, edges_++),
-                            .role = Role::past,
-                            .a = mesh.points[static_cast<std::size_t>(a)],
-                            .b = mesh.points[static_cast<std::size_t>(b)],
-                            .thin = true,
-                            .behind = false});
-    }
-    drawing.add_to(view, id + " a");
-    // Control meshes of animals pierce themselves a little: not worth lines
-    std::erase_if(view.marks, [&](const auto& mark) { return mark.first.starts_with(id + " meets "); });
-  }
-  /// Each once, also of what is no surface.
-  static std::vector<std::pair<std::int32_t, std::int32_t>> edges_between(const Control& mesh) {
-    std::set<std::pair<std::int32_t, std::int32_t>> edges;
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      const auto ring = mesh.faces[f];
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const auto [a, b] = std::minmax(ring[i], ring[(i + 1) % ring.size()]);
-        edges.emplace(a, b);
-      }
-    }
-    return {edges.begin(), edges.end()};
-  }
-
-  void render(View& view, const std::string& id, const Extent& place, const Control& mesh) const {
-    const Panel shown = panel(place);
-    const SurfaceLook look{.right = subject_.reader.right,
-                           .up = subject_.reader.up,
-                           .towards = subject_.reader.towards,
-                           .shown = extent_,
-                           .faceted = mesh.faces.size() <= most_faceted};
-    auto& picture = rendered_[mesh.faces.size()];
-    if (!picture) picture = rendered_surface(mesh.points, mesh.faces, look);
-    view.add({id + " a", Role::past, Picture{shown.at(extent_.lower), shown.at(extent_.upper), picture}});
+  const Extent& extent_in(const LevelPicture& picture) const { return extents_[picture.close ? 1 : 0]; }
+  std::shared_ptr<const Image> rendered(const Control& mesh, const LevelPicture& picture) const {
+    auto& image = rendered_[{&mesh, picture.close, !picture.marked.empty()}];
+    if (image) return image;
+    constexpr double longer_side = 480;  // in pixels
+    const Extent& extent = extent_in(picture);
+    const dvec2 size = extent.size();
+    image = rendered_surface(
+        mesh.points, mesh.faces,
+        {.right = subject_.reader.right,
+         .up = subject_.reader.up,
+         .towards = subject_.reader.towards,
+         .shown = extent,
+         .width = std::max(1, static_cast<int>(longer_side * std::min(1.0, size.x / size.y))),
+         .faceted = mesh.faces.size() <= most_faceted,
+         .marked = picture.marked});
+    return image;
   }
 
   const Words& words_;
   const Subject& subject_;
-  Extent extent_{};
-  mutable std::size_t edges_ = 0;
-  mutable std::map<std::size_t, std::shared_ptr<const Image>> rendered_{};  ///< by their faces
+  std::array<Extent, 2> extents_;
+  /// By the mesh, and whether it is close, and some of its faces stand out.
+  mutable std::map<std::tuple<const Control*, bool, bool>, std::shared_ptr<const Image>> rendered_{};
 };
 
 /// What each vertex of a control mesh counts in the points of the next level, by running the method on

@@ -1,6 +1,7 @@
 #pragma once
-// The levels of a surface as pictures beside each other, a step each.
+// The levels of a surface: the one at hand large, those before it beside it, a step each.
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -12,9 +13,9 @@ namespace gradus::subdivision_surface {
 class LevelsStory : public Past<steps::Started, LevelDone> {
  public:
   LevelsStory(const Words& words, const Subject& subject, std::vector<Control> levels)
-      : words_(words), levels_(std::move(levels)), pictures_(words, subject) {
-    for (std::size_t k = 0; k < levels_.size(); ++k) add(all_, k, true);
-  }
+      : words_(words), levels_(std::move(levels)), pictures_(words, subject) {}
+
+  const Control& last() const { return levels_.back(); }
 
   double tells(const auto& step) const {
     if constexpr (std::same_as<std::decay_t<decltype(step)>, LevelDone>) return step.level;
@@ -35,30 +36,35 @@ class LevelsStory : public Past<steps::Started, LevelDone> {
             .phase = words_.say("level", {{"level", d.level}})};
   }
 
-  /// The names of all levels, and the pictures of those that were reached.
   View draw() const {
     const std::size_t reached = all<LevelDone>().size();
-    if (reached + 1 == levels_.size()) return all_;
     View view;
-    for (std::size_t k = 0; k < levels_.size(); ++k) add(view, k, k <= reached);
+    for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
+      const LevelPicture small{
+          .id = fmt::format("{}", k), .place = small_places[k], .heading = heading(k), .aside = true};
+      if (k < reached)
+        pictures_.add(view, small, levels_[k]);
+      else
+        pictures_.add_heading(view, small);
+    }
+    pictures_.add(view, {.id = "large", .place = large_places[1], .heading = heading(reached)},
+                  levels_[reached]);
     return view;
   }
 
  private:
-  /// Three above, the others below between them.
-  static Extent place(std::size_t k) {
-    const dvec2 below = k < 3 ? dvec2{0} : dvec2{6, -13.6};
-    return {places[k % 3].lower + below, places[k % 3].upper + below};
-  }
-  void add(View& view, std::size_t k, bool whole) const {
-    const std::string heading = k == 0 ? words_.say("control") : words_.say("level", {{"level", k}});
-    pictures_.add(view, fmt::format("{}", k), place(k), heading, whole ? levels_[k] : Control{});
+  static constexpr std::array<Extent, 4> small_places{{{{0.2, 13.8}, {9.2, 27}},
+                                                       {{9.6, 13.8}, {18.6, 27}},
+                                                       {{0.2, 0.2}, {9.2, 13.4}},
+                                                       {{9.6, 0.2}, {18.6, 13.4}}}};
+
+  std::string heading(std::size_t k) const {
+    return k == 0 ? words_.say("control") : words_.say("level", {{"level", k}});
   }
 
   const Words& words_;
   const std::vector<Control> levels_;
   const LevelPictures pictures_;
-  View all_{};
 };
 
 }  // namespace gradus::subdivision_surface

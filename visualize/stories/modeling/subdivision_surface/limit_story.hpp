@@ -20,18 +20,20 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
         links_(links),
         pictures_(words, subject),
         star_(links, subject.vertex, star_centre, star_radius),
-        rule_(links.rule(star_.star())) {
+        rule_(links.rule(star_.star())),
+        weight_(parts()) {
+    const std::array headings{words.say("control"), words.say("level", {{"level", 1}}), words.say("limit")};
+    const std::array marked{faces_at(subject.mesh, subject.vertex), faces_at(levels_[1], subject.vertex),
+                            std::vector<std::int32_t>{}};
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::string heading = k == 0   ? words.say("control")
-                                  : k == 1 ? words.say("level", {{"level", 1}})
-                                           : words.say("limit");
-      pictures_.add(background_, std::string(1, "abc"[k]), places[k], heading, levels_[k], k < 2);
-      if (k < 2)
-        pictures_.add_vertex(background_, std::string("v ") + "abc"[k], places[k], subject.of(levels_[k]));
+      const LevelPicture picture{
+          .id = std::string(1, "abc"[k]), .place = places[k], .heading = headings[k], .marked = marked[k]};
+      pictures_.add(background_, picture, levels_[k]);
+      if (k < 2) pictures_.add_vertex(background_, picture, subject.of(levels_[k]));
     }
   }
 
-  dvec2 at(dvec3 p) const { return pictures_.at(places[0], p); }
+  dvec2 at(dvec3 p) const { return pictures_.at({.place = places[0]}, p); }
   double tells(const LimitFound<double>&) const { return 1; }
 
   Event say(const steps::Started&) const {
@@ -47,9 +49,9 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
             .facts = fields_of(s.point),
             .words = {{"vertex", subject_.vertex + 1},
                       {"point", short_place(s.point)},
-                      {"own", own},
-                      {"near", near},
-                      {"far", far}},
+                      {"own", weight_(own)},
+                      {"near", weight_(near)},
+                      {"far", weight_(far)}},
             .row = {words_.say("limit"), short_place(s.point)},
             .key = "limit",
             .phase = words_.say("limit")};
@@ -72,13 +74,14 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
     if (!found) return view;
     add_weights(view);
     add_sum(view, *found);
-    view.add({"v c", Role::result, Dot{pictures_.at(places[2], found->point)}});
+    view.add({"c v", Role::result, Dot{pictures_.at({.place = places[2]}, found->point)}});
     const auto* normal = now<NormalFound<double>>();
     const double length = normal ? length_of(normal->normal) : 0;
     if (length > 0) {
       const dvec3 tip = found->point + 0.3 * size() / length * normal->normal;
-      view.add({"v normal", Role::boundary,
-                Stroke{pictures_.at(places[2], found->point), pictures_.at(places[2], tip), true}});
+      view.add({"c v normal", Role::boundary,
+                Stroke{pictures_.at({.place = places[2]}, found->point),
+                       pictures_.at({.place = places[2]}, tip), true}});
       add_line(view, 6, Role::boundary, "N = " + short_place(normal->normal / length));
     }
     return view;
@@ -109,11 +112,11 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
       if (w == 0) continue;
       const Role role = v == subject_.vertex ? Role::current : is_near(v) ? Role::measure : Role::accepted;
       if (v == subject_.vertex) {
-        view.add({"x own", role, Label{star_centre, weight_text(w)}});
+        view.add({"x own", role, Label{star_centre, weight_(w)}});
         continue;
       }
       view.add({fmt::format("w {:05}", v), role, Dot{place}});
-      view.add({fmt::format("x {:05}", v), role, Text{star_.beside(v), weight_text(w), Align::centre, true}});
+      view.add({fmt::format("x {:05}", v), role, Text{star_.beside(v), weight_(w), Align::centre, true}});
     }
   }
   void add_sum(View& view, const LimitFound<double>& s) const {
@@ -135,6 +138,7 @@ class LimitStory : public Past<steps::Started, LimitFound<double>, NormalFound<d
   const LevelPictures pictures_;
   const StarDrawing star_;
   const Rule rule_;
+  const WeightTexts weight_;
   View background_{};
 };
 

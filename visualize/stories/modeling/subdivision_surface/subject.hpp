@@ -2,6 +2,7 @@
 // What a run is about: a control mesh, one of its vertices, and from where it is looked at.
 
 #include <map>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -21,14 +22,28 @@ inline constexpr std::size_t most_control_faces = 4000;
 inline std::string short_real(double value) {
   return figure_real(std::abs(value) < 0.0005 ? 0 : std::round(value * 1000) / 1000);
 }
-/// A weight: 0.4, and 1/16 where three digits would not be all of it.
-inline std::string weight_text(double weight) {
-  const auto is_whole = [](double x) { return std::abs(x - std::round(x)) < 1e-9; };
-  for (int below = 2; below <= 64 && !is_whole(1000 * weight); ++below) {
-    if (is_whole(below * weight)) return fmt::format("{:.0f}/{}", std::round(below * weight), below);
+/// Weights that stand beside each other: 0.65 and 0.06 where three digits are all of each, else fractions,
+/// 5/12 and 1/6.
+class WeightTexts {
+ public:
+  explicit WeightTexts(std::span<const double> all)
+      : fractions_(!std::ranges::all_of(all, [](double w) { return is_whole(1000 * w); })) {}
+
+  std::string operator()(double weight) const {
+    constexpr int most_parts = 400;  // a neighbour among pentagons has 180ths
+    for (int below = 1; fractions_ && below <= most_parts; ++below) {
+      if (!is_whole(below * weight)) continue;
+      const std::string above = figure_real(std::round(below * weight));
+      return below == 1 ? above : fmt::format("{}/{}", above, below);
+    }
+    return short_real(weight);
   }
-  return short_real(weight);
-}
+
+ private:
+  static bool is_whole(double x) { return std::abs(x - std::round(x)) < 1e-9; }
+
+  bool fractions_;
+};
 inline std::string short_place(dvec3 p) { return figure_place(p, short_real); }
 
 /// Cubes side by side: the squares between inside and outside. Corners are numbered along x, then y, then z.
@@ -146,6 +161,15 @@ struct Subject {
   /// Where the vertex is in a level.
   dvec3 of(const Control& level) const { return level.points[static_cast<std::size_t>(vertex)]; }
 };
+
+/// The faces that have the vertex as a corner, ascending.
+inline std::vector<std::int32_t> faces_at(const Control& mesh, std::int32_t vertex) {
+  std::vector<std::int32_t> all;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (std::ranges::count(mesh.faces[f], vertex) > 0) all.push_back(static_cast<std::int32_t>(f));
+  }
+  return all;
+}
 
 /// What is said of the run, with the author of a shape that asks for it.
 inline void add_credit(Narrator& narrator) {
