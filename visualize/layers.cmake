@@ -48,9 +48,14 @@ function(gradus_add_layer name)
     if(name MATCHES "^(stories|check|json|request)$")
       target_compile_options(gradus_${name} PRIVATE ${small})
     endif()
+    # Pictures of surfaces are most of what figures with them take; -O1 doubles that
+    set(surfaces visualize/stories/rendered_surface.cpp)
     if(name STREQUAL "stories" AND swift)
-      set_source_files_properties(visualize/stories/hidden_lines.cpp visualize/stories/space_drawing.cpp
+      set_source_files_properties(visualize/stories/hidden_lines.cpp visualize/stories/space_drawing.cpp ${surfaces}
                                   PROPERTIES COMPILE_OPTIONS ${swift} SKIP_PRECOMPILE_HEADERS ON)
+    elseif(name STREQUAL "stories" AND quickly)
+      set_source_files_properties(${surfaces} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O2>
+                                  SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
     endif()
     target_include_directories(gradus_${name} PUBLIC visualize)
     target_link_libraries(gradus_${name} PUBLIC ${arg_LINK} PRIVATE fmt::fmt ${arg_PRIVATE_LINK})

@@ -283,8 +283,7 @@ void lay_out_counts(Pen& pen, const SheetPanel& panel, const Box& box) {
 
 /// Whether a scene shows anything of a mark that a legend tells of.
 bool shows(const Scene& scene, const Mark& mark) {
-  const bool asides = !scene.among_many && !scene.bare;
-  if (!asides && is_aside(mark.id)) return false;
+  if ((scene.among_many || scene.bare) && stands_aside(mark)) return false;
   const Frame& frame = scene.frame;
   Content::Part reach;
   const auto add = [&](dvec2 p) { reach.add(frame.point(p)); };
@@ -292,7 +291,6 @@ bool shows(const Scene& scene, const Mark& mark) {
     add(stroke->a);
     add(stroke->b);
   } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
-    if (path->aside && !asides) return false;
     std::ranges::for_each(path->points, add);
   } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
     add(dot->at);

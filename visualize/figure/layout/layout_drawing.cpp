@@ -231,32 +231,27 @@ class DrawingLayout {
 
   // --- Marks: taken first, drawn once the texts have their places -----------------------------------------
 
-  bool without_asides() const { return at_.among_many || at_.bare; }
-  bool is_left_out(const Mark& mark) const { return without_asides() && is_aside(mark.id); }
-
   void take(const Mark& mark, bool fixed) {
-    if (is_left_out(mark)) return;
+    if ((at_.among_many || at_.bare) && stands_aside(mark)) return;
     if (figure_.canvas->plane()) draw_ground(mark);
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
       take_chain(mark, {stroke->a, stroke->b},
                  {.arrow = stroke->arrow, .dashed = stroke->dashed, .thin = stroke->thin});
     } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
-      if (path->aside && without_asides()) return;
       take_chain(mark, path->points, {.closed = path->closed, .dashed = path->dashed});
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
       take_dot(mark, *dot);
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
-      if (!(text->aside && without_asides())) texts_.emplace_back(&mark, text);
+      texts_.emplace_back(&mark, text);
     } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
       (fixed ? fixed_labels_ : labels_).emplace_back(&mark, label);
     }
   }
 
   void draw_ground(const Mark& mark) {
-    if (is_left_out(mark)) return;
     if (const Area* area = std::get_if<Area>(&mark.shape)) draw_area(mark, *area);
     const Picture* picture = std::get_if<Picture>(&mark.shape);
-    if (!picture || (picture->aside && without_asides())) return;
+    if (!picture) return;
     ImageShape shape = image_in(frame_, *picture);
     free_.crowded.emplace_back(shape.box, 300);
     pen_.image(mark.id, std::move(shape));

@@ -29,8 +29,10 @@ std::vector<std::string> weights_in(const std::map<std::string, Mark>& marks) {
 
 TEST(SurfaceStory, WeightsAreSaidAsTheyAreDrawn) {
   using Given = std::map<std::string, std::string>;
-  for (const Given& given : {Given{}, Given{{"shape", "cube"}, {"vertex", "8"}},
-                             Given{{"shape", "pencil"}, {"vertex", "1"}}, Given{{"method", "limit"}}}) {
+  for (const Given& given :
+       {Given{}, Given{{"shape", "cube"}, {"vertex", "8"}}, Given{{"shape", "pencil"}, {"vertex", "1"}},
+        Given{{"shape", "cube"}, {"vertex", "7"}, {"creases", "5,6,2 6,8,2 8,7,2 7,5,2"}},
+        Given{{"method", "limit"}}}) {
     const Trace trace = test::trace_of("subdivision_surface", given);
     Playhead playhead(trace);
     const std::size_t at = index_of(trace, trace.telling);
@@ -40,7 +42,7 @@ TEST(SurfaceStory, WeightsAreSaidAsTheyAreDrawn) {
     const auto is_fraction = [](const std::string& text) { return text.find('/') != text.npos; };
     EXPECT_EQ(std::ranges::count_if(drawn, is_fraction) % std::ssize(drawn), 0)
         << testing::PrintToString(drawn) << ": some are fractions, some are not";
-    EXPECT_THAT(said, HasSubstr(drawn.back() + " of ")) << "the vertex’s own";
+    EXPECT_THAT(said, HasSubstr(drawn.back() + " of ")) << "the vertex's own";
     if (said.find("each neighbour") == said.npos) continue;
     for (const std::string& weight : drawn) EXPECT_THAT(said, HasSubstr(weight + " of "));
   }

@@ -22,12 +22,12 @@ inline constexpr std::size_t most_control_faces = 4000;
 inline std::string short_real(double value) {
   return figure_real(std::abs(value) < 0.0005 ? 0 : std::round(value * 1000) / 1000);
 }
-/// Weights that stand beside each other: 0.65 and 0.06 where three digits are all of each, else fractions,
+/// Weights that stand beside each other: 0.65 and 0.06 where two digits are all of each, else fractions,
 /// 5/12 and 1/6.
 class WeightTexts {
  public:
   explicit WeightTexts(std::span<const double> all)
-      : fractions_(!std::ranges::all_of(all, [](double w) { return is_whole(1000 * w); })) {}
+      : fractions_(!std::ranges::all_of(all, [](double w) { return is_whole(100 * w); })) {}
 
   std::string operator()(double weight) const {
     constexpr int most_parts = 400;  // a neighbour among pentagons has 180ths
