@@ -28,11 +28,11 @@ std::vector<std::string> weights_in(const std::map<std::string, Mark>& marks) {
 }
 
 TEST(SurfaceStory, WeightsAreSaidAsTheyAreDrawn) {
-  using Given = std::map<std::string, std::string>;
-  for (const Given& given :
-       {Given{}, Given{{"shape", "cube"}, {"vertex", "8"}}, Given{{"shape", "pencil"}, {"vertex", "1"}},
-        Given{{"shape", "cube"}, {"vertex", "7"}, {"creases", "5,6,2 6,8,2 8,7,2 7,5,2"}},
-        Given{{"method", "limit"}}}) {
+  using Inputs = std::map<std::string, std::string>;
+  for (const Inputs& given :
+       {Inputs{}, Inputs{{"shape", "cube"}, {"vertex", "8"}}, Inputs{{"shape", "pencil"}, {"vertex", "1"}},
+        Inputs{{"shape", "cube"}, {"vertex", "7"}, {"creases", "5,6,2 6,8,2 8,7,2 7,5,2"}},
+        Inputs{{"method", "limit"}}}) {
     const Trace trace = test::trace_of("subdivision_surface", given);
     Playhead playhead(trace);
     const std::size_t at = index_of(trace, trace.telling);
