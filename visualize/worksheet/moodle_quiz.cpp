@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <numeric>
 
@@ -79,6 +80,29 @@ std::string decimal_of(const std::string& plain) {
   return fmt::format("{:.3f}", std::strtod(above.c_str(), nullptr) / std::strtod(below.c_str(), nullptr));
 }
 
+/// "-3*sqrt(2)/4" of "-3√2/4", as it can be typed, and its value; empty for what has no root in it.
+struct TypedRoot {
+  std::string text{}, decimal{};
+};
+TypedRoot typed_root_of(const std::string& plain) {
+  constexpr std::string_view sign = "√";
+  const std::size_t at = plain.find(sign);
+  if (at == std::string::npos) return {};
+  const std::string before = plain.substr(0, at), behind = plain.substr(at + sign.size());
+  const std::size_t slash = std::min(behind.find('/'), behind.size());
+  const std::string under = behind.substr(0, slash),
+                    below = slash < behind.size() ? behind.substr(slash + 1) : "1";
+  const bool alone = before.empty() || before == "-";
+  const std::string factor = alone ? before + "1" : before;
+  for (const std::string& number : {factor, under, below}) {
+    if (whole_number_of(number).empty() || number == "0") return {};
+  }
+  const double root = std::sqrt(std::strtod(under.c_str(), nullptr));
+  return {fmt::format("{}{}sqrt({}){}", before, alone ? "" : "*", under, behind.substr(slash)),
+          fmt::format("{:.3f}",
+                      std::strtod(factor.c_str(), nullptr) * root / std::strtod(below.c_str(), nullptr))};
+}
+
 /// Without spaces behind and before signs: "(3,1)" of "(3, 1)".
 std::string without_spaces(std::string text) {
   text = replaced_all(std::move(text), "\u00a0", " ");
@@ -103,9 +127,12 @@ std::vector<std::string> right_answers(const std::string& answer) {
       add(replaced_all(replaced_all(plain, ".", point), ",", point));
     }
   }
-  const std::string decimal = decimal_of(plain);
-  add(decimal);
-  add(replaced_all(decimal, ".", ","));
+  const TypedRoot root = typed_root_of(plain);
+  add(root.text);
+  for (const std::string& decimal : {decimal_of(plain), root.decimal}) {
+    add(decimal);
+    add(replaced_all(decimal, ".", ","));
+  }
   return right;
 }
 

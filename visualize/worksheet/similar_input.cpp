@@ -124,12 +124,18 @@ using Drafts = std::vector<Draft>;
 
 bool chance(Random& random, std::int64_t one_in) { return random.uniform_int(1, one_in) == 1; }
 
-void nudge(WrittenNumber& number, Random& random) {
-  if (number.turn) {
-    constexpr double quarter = 90;
+/// Quarter turns stay such; of angles like 30 and 45 degrees, whose sines are roots, another one comes.
+void nudge_turn(WrittenNumber& number, Random& random) {
+  constexpr double quarter = 90, parts[] = {30, 45, 60};
+  const bool simple = std::fmod(number.value, 30) == 0 || std::fmod(number.value, 45) == 0;
+  if (simple && std::fmod(number.value, quarter) != 0)
+    number.value = parts[random.uniform_int(0, 2)] + quarter * static_cast<double>(random.uniform_int(-2, 1));
+  else
     number.value = quarter * static_cast<double>(random.uniform_int(-1, 2));
-    return;
-  }
+}
+
+void nudge(WrittenNumber& number, Random& random) {
+  if (number.turn) return nudge_turn(number, random);
   const std::int64_t reach =
       std::clamp<std::int64_t>(std::llround(std::min(std::abs(number.value), 1000.0) / 4), 3, 50);
   if (number.decimals == 0) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <regex>
@@ -157,6 +158,38 @@ TEST(WorksheetInputs, ARoundedNumberIsKnown) {
   };
   EXPECT_EQ(rounded_rows("-4,3,6,15"), 1) << "t = 7/12, shown as 0.583";
   EXPECT_EQ(rounded_rows("-4,4,6,12"), 0) << "0.4, 0.75 and the like";
+}
+
+/// "-3√2/4" as a number, read by itself.
+double value_of_root(const std::string& text) {
+  static const std::regex form("(-?)([0-9.]*)(?:√([0-9]+))?(?:/([0-9]+))?");
+  std::smatch part;
+  EXPECT_TRUE(std::regex_match(text, part, form)) << text;
+  const auto number = [&](std::size_t i) { return part[i].length() > 0 ? std::stod(part[i].str()) : 1.0; };
+  return (part[1].length() > 0 ? -1 : 1) * number(2) * std::sqrt(number(3)) / number(4);
+}
+
+/// Of a sphere, in fractions: 60 and 30 degrees give way to angles of the same kind, whose coordinates are
+/// roots, and none of them is rounded.
+TEST(WorksheetInputs, CoordinatesOfASphereAreRootsForTheHand) {
+  const Variants variants = variants_of_topic("parametric_surface", search_of(30));
+  EXPECT_EQ(variants.found.size(), 30u);
+  int roots = 0;
+  for (const Variant& variant : variants.found) {
+    const Exercise& exercise = variant.exercise;
+    for (const ExerciseRow& row : exercise.rows) {
+      const auto step = std::ranges::find(exercise.trace->steps, row.step, &TraceStep::number);
+      ASSERT_NE(step, exercise.trace->steps.end());
+      for (std::size_t c = 1; c < row.cells.size(); ++c) {
+        const std::string cell = with_plain_minus(row.cells[c]);
+        roots += cell.find("√") != std::string::npos;
+        const auto field = std::ranges::find(step->fields, std::string(1, "xyz"[c - 1]), &Field::name);
+        if (field != step->fields.end())
+          EXPECT_NEAR(value_of_root(cell), std::get<double>(field->value), 1e-12) << cell;
+      }
+    }
+  }
+  EXPECT_GT(roots, 200);
 }
 
 /// Every topic of the catalogue: what is found is fit, whatever the topic; where nothing is found nothing is
@@ -387,6 +420,8 @@ TEST(WorksheetMoodle, AnswersAreOfTheTypesThatMoodleReads) {
   EXPECT_EQ(embedded_answer("NE", 2), "{2:SHORTANSWER:=NE}");
   EXPECT_EQ(embedded_answer("7/12", 1), "{1:SHORTANSWER:=7/12~=0.583~=0,583}");
   EXPECT_EQ(embedded_answer("0.5", 1), "{1:SHORTANSWER:=0.5~=0,5}");
+  EXPECT_EQ(embedded_answer("√3/2", 1), "{1:SHORTANSWER:=√3/2~=sqrt(3)/2~=0.866~=0,866}");
+  EXPECT_EQ(embedded_answer("−3√2", 1), "{1:SHORTANSWER:=−3√2~=-3√2~=-3\\*sqrt(2)~=-4.243~=-4,243}");
   EXPECT_EQ(embedded_answer("(3, −1)", 1), "{1:SHORTANSWER:=(3, −1)~=(3, -1)~=(3,-1)~=(3,−1)}");
   EXPECT_EQ(embedded_answer("p < 0", 1), "{1:SHORTANSWER:=p &lt; 0~=p&lt;0}");
   EXPECT_EQ(embedded_answer("a}b~c#d*e", 1), "{1:SHORTANSWER:=a\\}b\\~c\\#d\\*e}");

@@ -42,7 +42,13 @@ inline Subject subject_of(const Arguments& arguments) {
 
 /// "30°".
 inline std::string degrees(double angle) { return figure_real(angle) + "°"; }
-/// A text off the end of something that leads there from another place.
+/// What explains the drawing beside it: among several panels it gives way to that.
+inline void add_aside(View& view, const View& part) {
+  for (auto [id, mark] : part.marks) {
+    mark.id = "aside " + id;
+    view.add(std::move(mark));
+  }
+}  /// A text off the end of something that leads there from another place.
 inline void add_beyond(View& view, const std::string& id, Role role, dvec2 from, dvec2 end,
                        std::string text) {
   const double length = length_between(from, end);
@@ -55,10 +61,12 @@ inline void add_beyond(View& view, const std::string& id, Role role, dvec2 from,
 inline dvec3 upright(dvec3 p) { return {p.y, p.z, p.x}; }
 
 /// A reader who has the point before him, a little to the right, and looks from above, or from below where
-/// that is south: so normal and tangents lie apart, mostly. For s near 60 degrees he stays where he is.
+/// that is south: so high that the normal and both tangents have directions of their own on the paper. For s
+/// near 60 degrees he stays where he is.
 inline faces_subject::Reader reader_of(const Subject& subject) {
-  constexpr double usual = 60, aside = 32, latitude = 40;
-  const double s = std::abs(subject.s - usual) <= 30 ? usual : subject.s;
+  constexpr double usual = 60, stays = 10, aside = 32, high = 50, low = 20, steep = 43;
+  const double s = std::abs(subject.s - usual) <= stays ? usual : subject.s;
+  const double latitude = std::abs(subject.t) < steep ? high : low;
   const Turn<double> up = angle(subject.t < 0 ? -latitude : latitude);
   return faces_subject::Reader(upright(point(1.0, angle(s - aside), up).point));
 }
@@ -133,8 +141,8 @@ class Globe {
   void add_axes(View& view) const {
     for (int axis = 0; axis < 3; ++axis) {
       dvec3 tip{0};
-      tip[axis] = 1.35 * radius_;
-      const std::string id = fmt::format("d axis {}", axis);
+      tip[axis] = 1.25 * radius_;
+      const std::string id = fmt::format("aside axis {}", axis);
       view.add({id, Role::past, Stroke{at({0, 0, 0}), at(tip), true, false, true}});
       view.add({id + " name", Role::past, Label{at(tip), std::string(1, "xyz"[axis])}});
     }
