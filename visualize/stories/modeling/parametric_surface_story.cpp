@@ -4,6 +4,7 @@
 #include "modeling/parametric_surface/parametric_surface.hpp"
 
 #include "modeling/parametric_surface/parametric_surface_notes.hpp"
+#include "stories/modeling/parametric_surface/checking.hpp"
 #include "stories/modeling/parametric_surface/lookup_story.hpp"
 #include "stories/modeling/parametric_surface/patches_story.hpp"
 #include "stories/modeling/parametric_surface/point_story.hpp"
@@ -53,8 +54,11 @@ void tell_patches(Narrator& narrator) {
   narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle.patches", {{"r", subject.radius}, {"n", subject.n}, {"m", subject.m}});
   narrator.columns({{"part", false}, {"t"}, {"count"}, {"points"}, {"faces"}});
-  narrator.legend(
-      {{Role::current, "part"}, {Role::past, "again"}, {Role::rejected, "open"}, {Role::boundary, "seam"}});
+  narrator.legend({{Role::current, "part"},
+                   {Role::past, "again"},
+                   {Role::rejected, "open"},
+                   {Role::boundary, "seam"},
+                   {Role::accepted, "poles"}});
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   patches_of<twice>(subject, watch);
@@ -109,7 +113,8 @@ const TopicEntry& entry() {
                       number("radius", "2", "1", "of the sphere", {1e-6, 1e6}),
                       integer(3, 96, "n", "8", "24", "patches round the axis"),
                       integer(2, 48, "m", "4", "12", "patches from pole to pole")},
-       .examples = {"--angles 0,90", "--method patches --n 12 --m 6", "--method lookup --angles 50,20"}});
+       .examples = {"--angles 0,90", "--method patches --n 12 --m 6", "--method lookup --angles 50,20"},
+       .checking = &checking()});
   return topic;
 }
 

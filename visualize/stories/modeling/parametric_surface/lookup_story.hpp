@@ -60,7 +60,7 @@ class LookupStory : public Past<steps::Started, CellFound<double>, Mixed<double>
       const bool here = cell && strip == cell->j && column == static_cast<std::size_t>(cell->i) % columns;
       return here ? Role::current : Role::past;
     });
-    add_plot(view);
+    add_aside(view, plot());
     if (const auto* d = last<Mixed<double>>()) view.add({"s point", Role::input, Dot{globe_.at(d->point)}});
     if (const auto* d = last<FaceNormalTaken<double>>()) {
       add_normal(view, "t face", Role::measure, d->normal);
@@ -79,7 +79,8 @@ class LookupStory : public Past<steps::Started, CellFound<double>, Mixed<double>
     view.add({id, role, Stroke{globe_.at(from), globe_.at(from + 0.6 * globe_.radius() * normal), true}});
   }
   /// The direction of the normal round the axis, over s: of the surface a line, of the faces a stair.
-  void add_plot(View& view) const {
+  View plot() const {
+    View view;
     add_axes(view, plot_, "plot", {words_.symbol("s"), words_.symbol("N")}, 4);
     add_caption(view, "u caption", plot_.place(), words_.say("direction"), 1.2);
     const dvec2 below{plot_.place().lower.x - 1.4, 4.4};
@@ -96,12 +97,13 @@ class LookupStory : public Past<steps::Started, CellFound<double>, Mixed<double>
     }
     view.add({"v faces", Role::measure, Path{stair}});
     const auto* cell = last<CellFound<double>>();
-    if (!cell) return;
+    if (!cell) return view;
     const double s = subject_.s_shown();
     view.add({"w here", Role::guide, Stroke{plot_.at({s, 0}), plot_.at({s, 360}), false, true, true}});
-    if (!last<FaceNormalTaken<double>>()) return;
+    if (!last<FaceNormalTaken<double>>()) return view;
     view.add({"w surface", Role::boundary, Dot{plot_.at({s, s})}});
     view.add({"w faces", Role::measure, Dot{plot_.at({s, 360.0 * (cell->i + 0.5) / subject_.n})}});
+    return view;
   }
 
   const Words& words_;

@@ -75,7 +75,7 @@ class PatchesStory : public Past<steps::Started, RowMade, StripMade, Finished> {
             .words = {{"n", subject_.n}, {"m", subject_.m}, {"r", subject_.radius}}};
   }
   Event say(const RowMade& d) const {
-    const bool pole = d.row % subject_.m == 0;
+    const bool pole = is_pole(d);
     return {
         .text = d.points == 1 ? "row_made.pole"
                 : pole        ? "row_made.many"
@@ -124,6 +124,7 @@ class PatchesStory : public Past<steps::Started, RowMade, StripMade, Finished> {
     else
       view.marks.insert(background_.marks.begin(), background_.marks.end());
     for (std::size_t j = 0; j < rows; ++j) add_row(view, all<RowMade>()[j]);
+    if (closed()) add_joined(view, strips);
     if (const auto* d = now<StripMade>()) {
       const Ring2 strip{chart_.at(0, latitude_of(d->row - 1)), chart_.at(360, latitude_of(d->row - 1)),
                         chart_.at(360, latitude_of(d->row)), chart_.at(0, latitude_of(d->row))};
@@ -140,6 +141,7 @@ class PatchesStory : public Past<steps::Started, RowMade, StripMade, Finished> {
 
  private:
   bool closed() const { return counted_.once.empty(); }
+  bool is_pole(const RowMade& row) const { return row.row % subject_.m == 0; }
   std::int64_t euler() const {
     return std::ssize(mesh_.points) - std::ssize(counted_.all) +
            static_cast<std::int64_t>(mesh_.faces.size());
@@ -147,7 +149,7 @@ class PatchesStory : public Past<steps::Started, RowMade, StripMade, Finished> {
   double latitude_of(int row) const { return 180.0 * row / subject_.m - 90; }
   static void add_line(View& view, int line, std::string text) {
     view.add({fmt::format("y {}", line), Role::result,
-              Text{{chart_place.centre().x, 23 - 1.9 * line}, std::move(text)}});
+              Text{{chart_place.centre().x, 21 - 1.9 * line}, std::move(text)}});
   }
   void add_faces(View& view, int strips) const {
     if (mesh_.faces.size() > most_drawn) {
@@ -173,15 +175,32 @@ class PatchesStory : public Past<steps::Started, RowMade, StripMade, Finished> {
   void add_row(View& view, const RowMade& row) const {
     if (subject_.n > most_dotted) return;
     const bool fresh = &row == now<RowMade>();
+    const Role made = closed() && is_pole(row) ? Role::accepted : Role::past;
     for (int i = 0; i <= subject_.n; ++i) {
       const bool again = i >= row.points;
-      view.add({fmt::format("p {:02} {:02}", row.row, i), fresh ? Role::current : Role::past,
+      view.add({fmt::format("p {:02} {:02}", row.row, i), fresh ? Role::current : made,
                 Dot{chart_.at(360.0 * i / subject_.n, latitude_of(row.row)), again}});
     }
     if (!fresh) return;
     for (std::int32_t i = 0; i < row.points; ++i) {
       const dvec3 p = mesh_.points[static_cast<std::size_t>(row.first + i)];
       view.add({fmt::format("q {:02}", i), Role::current, Dot{globe_.at(p), !globe_.seen(p)}});
+    }
+  }
+  /// Where sides of the rectangle lie on each other: the seam along the strips so far, and the poles.
+  void add_joined(View& view, int strips) const {
+    const auto first_of = [&](int row) {
+      return mesh_.points[static_cast<std::size_t>(mesh_.row(row).first)];
+    };
+    for (int j = 0; j < strips; ++j) {
+      const dvec3 p = first_of(j), q = first_of(j + 1);
+      view.add({fmt::format("r seam {:02}", j), Role::boundary,
+                Stroke{globe_.at(p), globe_.at(q), false, !globe_.seen(p + q)}});
+    }
+    for (const RowMade& row : all<RowMade>()) {
+      const dvec3 p = first_of(row.row);
+      if (is_pole(row) && &row != now<RowMade>())
+        view.add({fmt::format("r pole {:02}", row.row), Role::accepted, Dot{globe_.at(p), !globe_.seen(p)}});
     }
   }
   /// Where the mesh is open: edges with one face.
