@@ -3,6 +3,8 @@
 
 #include "modeling/b_spline/b_spline.hpp"
 
+#include <fmt/ranges.h>
+
 #include "modeling/b_spline/b_spline_notes.hpp"
 #include "stories/modeling/b_spline/basis_story.hpp"
 #include "stories/modeling/b_spline/checking.hpp"
@@ -14,7 +16,7 @@
 namespace gradus::b_spline {
 namespace {
 
-constexpr Extent above_knots{{2, 7}, {34, 25.5}}, above_weights{{3, 13}, {33, 25.5}};
+constexpr Extent above_knots{{2, 7}, {34, 25.5}}, above_weights{{3, 15.6}, {33, 26}};
 
 // --- What is asked for
 
@@ -63,15 +65,15 @@ Subject spline_of(const Arguments& arguments) {
            fmt::format("expected at least {} control points for degree {}, found {}", degree + 1, degree,
                        points));
   for (const Tuple& knot : arguments.tuples("knots")) subject.knots.push_back(knot[0].value);
-  subject.draggable = !subject.knots.empty();
-  if (!subject.draggable) subject.knots = even_knots(points, degree);
+  if (subject.knots.empty()) subject.knots = even_knots(points, degree);
   if (const std::string wrong = wrong_with(subject.knots, points, degree); !wrong.empty())
     refuse(arguments, {"knots", "control", "degree"}, wrong);
   subject.t = where(arguments, subject);
   return subject;
 }
 
-/// A polygon round the unit circle, and the points at which its sides touch that.
+/// A polygon round the unit circle, and the points at which its sides touch that. Each arc goes from a whole
+/// number to the next.
 Subject circle_of(const Arguments& arguments) {
   const auto arcs = static_cast<Index>(arguments.integer("arcs"));
   const double half = 180 / static_cast<double>(arcs), corner = sin_cos_degrees(half).cos;
@@ -85,8 +87,8 @@ Subject circle_of(const Arguments& arguments) {
   subject.knots = {0, 0};
   for (Index k = 0; k <= arcs; ++k)
     for (int often = k == 0 || k == arcs ? 1 : 2; often > 0; --often)
-      subject.knots.push_back(3 * static_cast<double>(k) / static_cast<double>(arcs));
-  subject.knots.insert(subject.knots.end(), 2, 3);
+      subject.knots.push_back(static_cast<double>(k));
+  subject.knots.insert(subject.knots.end(), 2, static_cast<double>(arcs));
   subject.t = where(arguments, subject);
   if (const double w = subject.weights[1]; !(1.0 / most_weight <= w && w <= most_weight))
     refuse("weight", "expected a weight above 0, from 1/{} to {}, found {:g}", most_weight, most_weight, w);
@@ -99,6 +101,14 @@ void set_up(Narrator& narrator, const Subject& subject, const SplineDrawing& dra
   narrator.subtitle("subtitle", {{"points", subject.control.size()}, {"degree", subject.degree()}});
 }
 
+/// Knots that were not given follow from the other arguments; the trace has them all the same, so that a page
+/// can let them be dragged.
+void set_up_knots(Narrator& narrator, const Subject& subject) {
+  std::vector<Argument>& arguments = narrator.trace().arguments;
+  if (std::ranges::find(arguments, "knots", &Argument::name) == arguments.end())
+    arguments.push_back({"knots", fmt::format("{}", fmt::join(subject.knots, " "))});
+}
+
 // --- A point
 
 template <Kind kind>
@@ -106,6 +116,7 @@ void tell_triangle(Narrator& narrator) {
   const Subject subject = spline_of(narrator.arguments());
   const SplineDrawing drawing(subject, above_knots);
   set_up(narrator, subject, drawing);
+  set_up_knots(narrator, subject);
   drawing.let_drag(narrator);
   narrator.columns({{"point", false}, {"knots", false}, {"share"}, {"place", false}});
   narrator.legend({{Role::input, "polygon"},
@@ -160,6 +171,7 @@ void tell_basis(Narrator& narrator) {
   Subject subject = spline_of(narrator.arguments());
   const SplineDrawing drawing(subject, above_weights);
   set_up(narrator, subject, drawing);
+  set_up_knots(narrator, subject);
   narrator.columns({{"degree"}, {"functions", false}, {"weights", false}});
   narrator.legend({{Role::input, "polygon"},
                    {Role::accepted, "curve"},
@@ -190,6 +202,7 @@ void tell_insert(Narrator& narrator) {
            fmt::format("expected a knot that is there at most {} times, found {:g} {} times",
                        subject.degree(), subject.t, often));
   set_up(narrator, subject, drawing);
+  set_up_knots(narrator, subject);
   drawing.let_drag(narrator);
   narrator.columns({{"point", false}, {"knots", false}, {"share"}, {"place", false}});
   narrator.legend({{Role::input, "polygon"},
@@ -250,13 +263,13 @@ const TopicEntry& entry() {
              .standing = Standing::faulty,
              .tell = tell_circle<Kind::unweighted>,
              .unread = of_spline}},
-       .parameters = {points(2, 12, "control", "0,8 3,0 7,16 20,14 23,2 28,6", "0,0 4,8 8,8 12,0 16,8",
+       .parameters = {points(2, 12, "control", "10,7 20,4 30,12 0,17 0,3 30,0", "0,0 4,8 8,8 12,0 16,8",
                              "its control points", xy, {1e-6, 1e6}),
                       integer(1, 5, "degree", "3", "2", "of its pieces"),
                       points(4, 18, "knots", "", "0 0 0 0 1 2 3 3 3 3",
                              "degree + 1 more than control points, in order; not given: evenly from 0 to 3",
                              {"u"}, {1e-6, 1e6}),
-                      number("t", "1.2", "2", "where on the curve, as its knots count", {1e-6, 1e6}),
+                      number("t", "2.4", "2", "where on the curve, as its knots count", {1e-6, 1e6}),
                       integer(3, 6, "arcs", "4", "3", "of how many a circle is made"),
                       number("weight", "", "1",
                              "of a circle's corners; not given: the one that makes it a circle")},

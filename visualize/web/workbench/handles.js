@@ -72,7 +72,7 @@ function handlesOf({handles = []}) {
 }
 
 class HandleLayer {
-  /** host: {parameter(name), textOf(parameter), numbers(), change(texts), commit()}, which hears of what is dragged. */
+  /** host: {parameter(name), textSeen(parameter), numbers(), change(texts), commit()}, which hears of what is dragged. */
   constructor(player, host) {
     this.player = player;
     this.host = host;
@@ -212,7 +212,7 @@ class HandleLayer {
 
   /** What a handle moves, as it is now: {name, text, numbers, values, whole, along, normal}. */
   standing({name, numbers: indices, along}) {
-    const parameter = this.host.parameter(name), text = this.host.textOf(parameter), all = this.numbers(name);
+    const parameter = this.host.parameter(name), text = this.host.textSeen(parameter), all = this.numbers(name);
     const numbers = indices.map((index) => all[index]), isCorner = parameter.type === 'faces' && indices.length === 3;
     const normal = isCorner ? normalAt(text, all, indices[0]) : undefined;
     return {
@@ -233,7 +233,7 @@ class HandleLayer {
       const go = (k) => along.reduce((sum, way, i) => sum + way[k] * by[i], 0) * at.cell;
       this.drag.seen = [place[0] + go(0), place[1] + (at.yUp ? -go(1) : go(1))];
     }
-    if (changed === this.host.textOf(this.host.parameter(name))) return;
+    if (changed === this.host.textSeen(this.host.parameter(name))) return;
     if (this.drag) this.drag.moved = true;
     this.host.change({[name]: changed});
   }

@@ -56,7 +56,13 @@ class Workbench {
     const maze = this.parameters.find(({type}) => type === 'maze'), text = maze ? this.textOf(maze) : '';
     return text.includes('/') && !text.startsWith('@') ? text : '';
   }
-  numbers() { return numbersOfInput(this.parameters, (parameter) => this.textOf(parameter)); }
+  /** The same, but what is not given as the run has it that is seen: it may follow from other inputs, or come with its method. */
+  textSeen(parameter) {
+    const {name} = parameter, isGiven = name in this.state.given || (this.asked && name in this.asked.given);
+    const seen = isGiven ? undefined : this.player.run?.trace.arguments.find(([known]) => known === name);
+    return seen?.[1] ?? this.textOf(parameter);
+  }
+  numbers() { return numbersOfInput(this.parameters, (parameter) => this.textSeen(parameter)); }
 
   fillChoices() {
     const {topic, language, notation} = this.parts, chapters = new Map();

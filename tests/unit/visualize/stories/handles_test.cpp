@@ -176,11 +176,19 @@ std::vector<Drag> all_cases() {
   return cases;
 }
 
+/// The text of an argument, which the run has as it was given, or says what it took where none was.
+std::string text_in(const Trace& trace, const Drag& run, const std::string& parameter) {
+  const std::string given = arguments_of(*run.topic, run.given).text(parameter);
+  const auto told = std::ranges::find(trace.arguments, parameter, &Argument::name);
+  if (told == trace.arguments.end()) return given;
+  if (!given.empty()) EXPECT_EQ(told->value, given) << parameter;
+  return told->value;
+}
+
 void expect_well_formed(const Trace& trace, const Drag& run) {
-  const Arguments arguments = arguments_of(*run.topic, run.given);
   std::set<std::pair<std::string, std::vector<int>>> known;
   for (const Handle& handle : trace.handles) {
-    const std::size_t count = numbers_in(arguments.text(handle.parameter)).size();
+    const std::size_t count = numbers_in(text_in(trace, run, handle.parameter)).size();
     EXPECT_TRUE(known.insert({handle.parameter, handle.numbers}).second) << handle.parameter << " twice";
     EXPECT_EQ(std::set<int>(handle.numbers.begin(), handle.numbers.end()).size(), handle.numbers.size());
     for (const int number : handle.numbers) {
@@ -220,9 +228,9 @@ struct Nudged {
 
 /// The run with one number changed a little, up or, where it refuses that, down; nothing where it refuses
 /// both.
-std::optional<Nudged> nudged(const Drag& run, const Handle& handle, std::size_t which) {
+std::optional<Nudged> nudged(const Trace& before, const Drag& run, const Handle& handle, std::size_t which) {
   const double by = is_whole(run.type_of(handle.parameter)) ? 1 : 0.015625;
-  const std::string text = arguments_of(*run.topic, run.given).text(handle.parameter);
+  const std::string text = text_in(before, run, handle.parameter);
   for (const double step : {by, -by}) {
     try {
       Drag other = run.with(handle.parameter, with_number(text, handle.numbers[which], step));
@@ -265,7 +273,7 @@ int expect_to_move(const Trace& before, const Drag& run, std::set<std::string>& 
   for (const Handle& handle : before.handles) {
     if (!done.insert(fmt::format("{} {} {}", before.topic, before.method, handle.parameter)).second) continue;
     const std::size_t which = done.size() % handle.numbers.size();
-    const auto other = nudged(run, handle, which);
+    const auto other = nudged(before, run, handle, which);
     if (!other) continue;
     SCOPED_TRACE(other->run.name());
     const Trace& after = other->trace;
@@ -293,6 +301,21 @@ TEST(Handles, StandOnWhatIsDrawnAndMoveWithTheirNumbers) {
     foretold += expect_to_move(trace, run, moved);
   }
   EXPECT_GT(foretold, 50) << "handles in drawings that were not fitted anew";
+}
+
+/// By default they follow from control points and degree: the trace says what they are, and each has a
+/// handle; below its weights a basis has those inside alone, for the others lie on each other.
+TEST(Handles, KnotsThatAreNotGivenCanBeDragged) {
+  for (const std::string method : {"de_boor", "basis", "insert_knot", "bezier_pieces"}) {
+    const Drag run{find_entry("b_spline"), {{"method", method}}};
+    const Trace trace = run.trace();
+    EXPECT_EQ(text_in(trace, run, "knots"), "0 0 0 0 1 2 3 3 3 3");
+    EXPECT_EQ(std::ranges::count(trace.handles, "knots", &Handle::parameter), method == "basis" ? 2 : 10)
+        << method;
+    const Trace same = run.with("knots", text_in(trace, run, "knots")).trace();
+    EXPECT_EQ(same.arguments.size(), trace.arguments.size());
+    EXPECT_EQ(same.handles.size(), trace.handles.size());
+  }
 }
 
 TEST(Handles, CountTheNumbersBehindNamesWithDigits) {

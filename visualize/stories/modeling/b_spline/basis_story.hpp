@@ -83,11 +83,43 @@ class BasisStory : public Past<steps::Started, Spread<double>, Weighed<2, double
     return half_open_ && std::same_as<std::decay_t<decltype(step)>, Reached<2, double>> ? 9 : 0;
   }
 
+  /// Among several panels the curve gives way to the weights below it.
   View draw() const {
+    View view;
+    add_plot(view);
+    for (auto [id, mark] : drawn_curve().marks) {
+      mark.id = "aside " + id;
+      view.add(std::move(mark));
+    }
+    return view;
+  }
+  void let_drag(Narrator& narrator) const {
+    narrator.handles("control", shown_in(drawing_.panel()));
+    if (!half_open_) narrator.handle("t", 0, plot_.at({subject_.t, 0}), {plot_.scale().x, 0});
+    for (Index i = subject_.degree() + 1; i < subject_.control.size(); ++i)
+      narrator.handle("knots", static_cast<int>(i), foot(i), {plot_.scale().x, 0});
+  }
+
+ private:
+  Index span() const { return span_of(subject_.spline(), subject_.t); }
+  dvec2 foot(Index knot) const { return plot_.at({subject_.knots[knot], 0}); }
+  /// Pieces of the curve between two knots, counted from 0.
+  Index pieces_from(Index first, Index last) const {
+    Index pieces = 0;
+    for (Index k = std::max(first, subject_.degree()); k < std::min(last, subject_.control.size()); ++k)
+      pieces += subject_.knots[k] < subject_.knots[k + 1] ? Index{1} : Index{0};
+    return pieces;
+  }
+  Index degree() const {
+    if (!all<Weighed<2, double>>().empty()) return subject_.degree();
+    return all<Spread<double>>().size();
+  }
+
+  /// The curve with what counts at t, and the mean that comes out.
+  View drawn_curve() const {
     View view;
     drawing_.add_polygon(view);
     drawing_.add_curve(view);
-    add_plot(view);
     const auto* now_at = now<Weighed<2, double>>();
     const dvec2 right = drawing_.at(subject_.at(subject_.t));
     for (const Weighed<2, double>& w : all<Weighed<2, double>>()) {
@@ -109,36 +141,12 @@ class BasisStory : public Past<steps::Started, Spread<double>, Weighed<2, double
       view.add({"f off", Role::rejected, Stroke{right, drawing_.at(reached->point)}});
     return view;
   }
-  void let_drag(Narrator& narrator) const {
-    narrator.handles("control", shown_in(drawing_.panel()));
-    if (!half_open_) narrator.handle("t", 0, plot_.at({subject_.t, 0}), {plot_.scale().x, 0});
-    for (Index i = 0; i < subject_.knots.size() && subject_.draggable; ++i)
-      narrator.handle("knots", static_cast<int>(i), knot(i), {plot_.scale().x, 0});
-  }
-
- private:
-  Index span() const { return span_of(subject_.spline(), subject_.t); }
-  dvec2 knot(Index i) const { return {plot_.at({subject_.knots[i], 0}).x, 1.2}; }
-  /// Pieces of the curve between two knots, counted from 0.
-  Index pieces_from(Index first, Index last) const {
-    Index pieces = 0;
-    for (Index k = std::max(first, subject_.degree()); k < std::min(last, subject_.control.size()); ++k)
-      pieces += subject_.knots[k] < subject_.knots[k + 1] ? Index{1} : Index{0};
-    return pieces;
-  }
-  Index degree() const {
-    if (!all<Weighed<2, double>>().empty()) return subject_.degree();
-    return all<Spread<double>>().size();
-  }
-
   /// All weights of the degree at hand, as far as the curve goes.
   void add_plot(View& view) const {
     add_axes(view, plot_, "x plot", {words_.symbol("t"), words_.say("weight")}, 6);
     const Spline<2, double> spline = subject_.spline();
-    for (Index k = subject_.degree(); k <= subject_.control.size(); ++k) {
-      const dvec2 foot = plot_.at({subject_.knots[k], 0});
-      view.add({fmt::format("x knot {:02}", k), Role::boundary, Dot{foot}});
-    }
+    for (Index k = subject_.degree(); k <= subject_.control.size(); ++k)
+      view.add({fmt::format("x knot {:02}", k), Role::boundary, Dot{foot(k)}});
     view.add(
         {"y t", Role::measure, Stroke{plot_.at({subject_.t, 0}), plot_.at({subject_.t, 1}), false, true}});
     const auto* now_at = now<Weighed<2, double>>();
@@ -160,16 +168,24 @@ class BasisStory : public Past<steps::Started, Spread<double>, Weighed<2, double
       const bool is_now = now_at ? i == now_at->i : counts && now<Spread<double>>();
       const Role role = is_now ? Role::current : counts ? Role::past : Role::guide;
       view.add({fmt::format("{} plot {:02}", is_now ? "w" : "v", i), role, Path{points}});
+      const dvec2 top = *std::ranges::max_element(points, {}, &dvec2::y);
+      view.add({fmt::format("x name {:02}", i), role, Label{top, fmt::format("N{}", i)}});
     }
     Spread<double> here = weights_at(spline, subject_.t, degree());
     if (half_open_) here.weights.assign(here.weights.size(), 0);
     add_values(view, here);
   }
+  /// Weights that all are 0 have one place, and one name.
   void add_values(View& view, const Spread<double>& s) const {
+    if (s.weights.size() > 1 && std::ranges::count(s.weights, 0.0) == std::ssize(s.weights)) {
+      view.add_named("y weight", Role::measure, plot_.at({subject_.t, 0}),
+                     fmt::format("N{} … N{}: 0", s.first, s.first + s.weights.size() - 1));
+      return;
+    }
     for (Index i = 0; i < s.weights.size(); ++i) {
       const std::string id = fmt::format("y weight {:02}", s.first + i);
       const dvec2 at = plot_.at({subject_.t, s.weights[i]});
-      view.add_named(id, Role::measure, at, fmt::format("N{}: {}", s.first + i, figure_real(s.weights[i])));
+      view.add_named(id, Role::measure, at, figure_real(s.weights[i]));
     }
   }
 
@@ -177,7 +193,7 @@ class BasisStory : public Past<steps::Started, Spread<double>, Weighed<2, double
   const Subject& subject_;
   const SplineDrawing& drawing_;
   const bool half_open_;
-  const Panel plot_{{{4, 2.6}, {33, 10}},
+  const Panel plot_{{{4, 2.6}, {33, 11}},
                     {{subject_.spline().begin(), 0}, {subject_.spline().end(), 1}},
                     Panel::Fit::stretched};
 };

@@ -17,7 +17,6 @@ struct Subject {
   Control control;
   Knots knots, weights{};
   double t = 0;
-  bool draggable = false;  ///< the argument has these knots
 
   Spline<2, double> spline() const { return {control, knots}; }
   Index degree() const { return spline().degree(); }
@@ -118,7 +117,7 @@ class SplineDrawing {
   void let_drag(Narrator& narrator) const {
     narrator.handles("control", shown_in(panel_));
     narrator.handle("t", 0, place_of_t(), along());
-    for (Index i = 0; i < subject_.knots.size() && subject_.draggable; ++i)
+    for (Index i = 0; i < subject_.knots.size(); ++i)
       narrator.handle("knots", static_cast<int>(i), knot(i), along());
   }
 

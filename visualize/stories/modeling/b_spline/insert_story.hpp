@@ -108,7 +108,7 @@ class InsertStory : public Past<steps::Started, Placed<2, double>, Inserted<2, d
     for (Index i = 0; i < control.size(); ++i)
       view.add({fmt::format("e point {:02}", i), Role::result, Dot{drawing_.at(control[i])}});
   }
-  /// Each with its ground and its polygon.
+  /// Each with its ground, its polygon and its part of the knots.
   void add_pieces(View& view) const {
     const auto pieces = pieces_of(subjects_.back().spline());
     for (Index k = 0; k < pieces.size(); ++k) {
@@ -117,6 +117,10 @@ class InsertStory : public Past<steps::Started, Placed<2, double>, Inserted<2, d
       view.add({fmt::format("c polygon {:02}", k), role, drawing_.path(pieces[k].b)});
       for (Index i = 0; i < pieces[k].b.size(); ++i)
         view.add({fmt::format("e point {:02} {:02}", k, i), role, Dot{drawing_.at(pieces[k].b[i]), true}});
+      const double from = pieces[k].from, to = pieces[k].to;
+      view.add({fmt::format("f name {:02}", k), role,
+                Label{drawing_.at(subject_.at(from + (to - from) / 2)),
+                      fmt::format("{} ≤ {} ≤ {}", figure_real(from), words_.symbol("t"), figure_real(to))}});
     }
   }
 
