@@ -15,12 +15,12 @@
 int main() {
   using namespace gradus;
   using namespace gradus::b_spline;
-  const std::vector<dvec2> control{{0, 8}, {3, 0}, {7, 16}, {20, 14}, {23, 2}, {28, 6}};
+  const std::vector<dvec2> control{{10, 7}, {20, 4}, {30, 12}, {0, 17}, {0, 3}, {30, 0}};
   const std::vector<double> knots{0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
   const Spline<2, double> spline{control, knots};
 
-  const dvec2 point = de_boor(spline, 1.2);
-  fmt::print("at 1.2: ({:.4g}, {:.4g})\n", point.x, point.y);
+  const dvec2 point = de_boor(spline, 2.4);
+  fmt::print("at 2.4: ({:.4g}, {:.4g})\n", point.x, point.y);
 
   for (const auto& piece : bezier_pieces(spline))
     fmt::print("a Bézier curve from t = {} to {}\n", piece.from, piece.to);

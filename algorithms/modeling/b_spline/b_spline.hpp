@@ -210,11 +210,11 @@ Point<N, T> de_boor(const Spline<N, T>& spline, const T& t, O&& observer = {}) {
   auto d = points_of(spline, k);
   for (Index m = n; m > 0; --m) {
     for (Index i = 0; i < m; ++i) {
-      // m knots up to t, m after
-      const T lo = u[k + 1 + i - m];
-      const T hi = u[k + 1 + i];
       // Between two neighbours
       auto a = d[i], c = d[i + 1];
+      // m knots up to t, m after
+      const Index j = k + 1 + i;
+      T lo = u[j - m], hi = u[j];
       d[i] = mix(a, c, lo, t, hi);
       if constexpr (observed<O>) observer(Mixed<N, T>{n - m + 1, k - n + i, a, c, lo, hi, d[i]});
     }
