@@ -162,6 +162,18 @@ def drawn_in(figure):
 
 # -- Every topic
 
+def drags_what_is_not_given(check, page):
+    """Knots that follow from other inputs can be dragged, too, and are given then."""
+    page.open('#topic=b_spline')
+    x, y = page.place('knots', '4')
+    page.drag([(x, y), (x + 30, y)])
+    page.settle()
+    given = page.run(GIVEN)
+    knots = [float(knot) for knot in given.get('knots', '').split()]
+    check.equal('all knots are given', (list(given), knots[:4], knots[5:]), (['knots'], [0, 0, 0, 0], [2, 3, 3, 3, 3]))
+    check.that('the dragged one has moved', len(knots) > 4 and 1 < knots[4] < 2, knots)
+
+
 def every_topic(check, page):
     """All of them open, have their fields, and something to drag, to paint or to type; each drag leads to another run."""
     page.open()

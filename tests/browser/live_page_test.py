@@ -22,8 +22,8 @@ import xml.etree.ElementTree as xml
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
 import project
 from firefox import Firefox
-from live_page import (CELL, GIVEN, MEASURES, Page, accessible, copies_the_command, every_topic, from_a_server, sizes, speed, texts,
-                       without_webassembly)
+from live_page import (CELL, GIVEN, MEASURES, Page, accessible, copies_the_command, drags_what_is_not_given, every_topic, from_a_server, sizes,
+                       speed, texts, without_webassembly)
 from player_page import FITS, Checks
 from share import share_of
 from webdriver import EVERYTHING, Browser
@@ -108,18 +108,6 @@ def drags_what_bends(check, page):
             check.that(f'{what}: {other} lies still', moved < 0.5, moved)
             check.that(f'{what}: the ring is on the mark', beside < 0.5, beside)
             check.that(f'{what}: back means back', back)
-
-
-def drags_what_is_not_given(check, page):
-    """Knots that follow from other inputs can be dragged, too, and are given then."""
-    page.open('#topic=b_spline')
-    x, y = page.place('knots', '4')
-    page.drag([(x, y), (x + 30, y)])
-    page.settle()
-    given = page.run(GIVEN)
-    knots = [float(knot) for knot in given.get('knots', '').split()]
-    check.equal('all knots are given', (list(given), knots[:4], knots[5:]), (['knots'], [0, 0, 0, 0], [2, 3, 3, 3, 3]))
-    check.that('the dragged one has moved', len(knots) > 4 and 1 < knots[4] < 2, knots)
 
 
 def drags_there_and_back(check, page):
