@@ -25,7 +25,7 @@ inline constexpr int paper_width = 36, paper_height = 27;
 inline constexpr std::array<Extent, 3> places{
     {{{2.7, 13.6}, {13.3, 27}}, {{14.2, 13.6}, {24.8, 27}}, {{25.2, 13.6}, {35.8, 27}}}};
 /// or two large ones.
-inline constexpr std::array<Extent, 2> large_places{{{{0.2, 0.2}, {17.2, 27}}, {{18.8, 0.2}, {35.8, 27}}}};
+inline constexpr std::array<Extent, 2> large_places{{{{0.2, 0}, {17.2, 27}}, {{18.8, 0}, {35.8, 27}}}};
 /// Below the first picture a star,
 inline constexpr dvec2 star_centre{8, 5.9};
 inline constexpr double star_radius = 5.2;

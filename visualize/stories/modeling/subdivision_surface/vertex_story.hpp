@@ -210,7 +210,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
             .place = place,
             .heading = words_.say("level", {{"level", k}}),
             .aside = aside,
-            .close = place.size() == large_places[0].size()};
+            .close = place.upper.y - place.lower.y > paper_height - 1};
   }
   /// The control mesh, the first level, and the last one or the right one.
   View outer_pictures() const {
@@ -228,10 +228,13 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
   /// A level alone, large, and what it is made from or should be.
   View level_picture(int k) const {
     View view;
-    const LevelPicture whole = level_picture_of("a", large_places[0], k, false);
+    // Beside the right one the wrong one is as high as the paper
+    constexpr Extent wrong{{0.2, 0}, {23.2, 27}}, right{{23.6, 8}, {32, 27}};
+    const bool is_wrong = way_ == Way::always_four;
+    const LevelPicture whole = level_picture_of("a", is_wrong ? wrong : large_places[0], k, false);
     add(view, whole, k);
-    if (way_ == Way::always_four) {
-      add_right(view, whole, large_places[1]);
+    if (is_wrong) {
+      add_right(view, whole, right);
     } else {
       add(view, control_picture({{18.8, places[0].lower.y}, {35.8, 27}}, true), 0);
       add_course(view, k);
