@@ -193,7 +193,7 @@ class BasisStory : public Past<steps::Started, Spread<double>, Weighed<2, double
   const Subject& subject_;
   const SplineDrawing& drawing_;
   const bool half_open_;
-  const Panel plot_{{{4, 2.6}, {33, 11}},
+  const Panel plot_{{{4, 2.6}, {33, 10.6}},
                     {{subject_.spline().begin(), 0}, {subject_.spline().end(), 1}},
                     Panel::Fit::stretched};
 };

@@ -110,7 +110,7 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
       if (subject_.t != 0) add_angle_t(view);
     }
     if (const auto* d = now<Raised<double>>()) {
-      const double off = at(foot()).y < at(here).y ? -1.4 : 1.4;
+      const double off = at(foot()).y < at(here).y ? -3.5 : 3.5;
       view.add({"q ring name", Role::result,
                 Text{at(foot()) + dvec2{0, off}, words_.say("ring", {{"ring", of_radius(d->ring)}})}});
       view.add({"q height name", Role::result,
@@ -174,13 +174,11 @@ class PointStory : public Past<steps::Started, Turned<double>, Raised<double>, P
     constexpr double near = 15, away = 25;
     return middle > near && std::abs(off) < near ? middle - off - away : middle;
   }
-  /// Right of the line from Q to P, near Q; where P lies below, above Q, for the tangent goes up beside it.
+  /// Beside Q, on the sides on which arrows from P have no names.
   void add_angle_t(View& view) const {
-    const dvec3 p = subject_.at().point;
-    const dvec2 place =
-        subject_.t > 0 ? at(glm::mix(foot(), p, 0.3)) + dvec2{0.6, 0} : at(foot()) + dvec2{0.6, 1.4};
+    const dvec2 place = at(foot()) + dvec2{-0.6, subject_.t > 0 ? -1.9 : 1.9};
     view.add({"p t name", Role::candidate,
-              Text{place, words_.say("angle.t", {{"t", degrees(subject_.t)}}), Align::left}});
+              Text{place, words_.say("angle.t", {{"t", degrees(subject_.t)}}), Align::right}});
   }
   void add_tangent(View& view, const std::string& id, const std::string& name, const auto& found) const {
     const dvec3 here = subject_.at().point;
