@@ -262,6 +262,8 @@ std::vector<Row> table() {
       {"parametric_surface", "normal", {{"angles", "60,90"}}, is_in_order},
       {"parametric_surface", "normal", {{"method", "lookup"}}, is_in_order},
       {"parametric_surface", "rows", {{"method", "patches"}}, is_in_order},
+      {"kd_tree", "points", {{"query", "6,9"}}, is_in_order},
+      {"kd_tree", "middles", {{"method", "build"}}, is_in_order},
       {"back_face_culling", "signs", {}, are_the_signs_of_a_cube},
       {"painter",
        "order",
