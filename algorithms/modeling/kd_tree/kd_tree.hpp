@@ -340,16 +340,16 @@ Node part(Tree<N, T>& tree, const Cell<N, T>& cell, int axis) {
 template <int N, class T, Observer<Parted<N, T>, Built> O = Unobserved>
 Tree<N, T> build(Points<N, T> points, O&& observer = {}) {
   expect_points<N, T>(points);
-  auto tree = unparted<N, T>(points);
-  auto waiting = whole(tree);
-  while (!waiting.empty()) {
-    auto cell = pop(waiting);
+  auto tree = unparted(points);
+  auto rest = whole(tree);
+  while (!rest.empty()) {
+    auto cell = pop(rest);
     int a = longest_side(cell.box);
-    // The middle one along that axis
+    // The middle along that axis
     auto node = part(tree, cell, a);
     if constexpr (observed<O>) observer(Parted<N, T>{cell, node});
-    push(waiting, above(tree, cell));
-    push(waiting, below(tree, cell));
+    push(rest, above(tree, cell));
+    push(rest, below(tree, cell));
   }
   if constexpr (observed<O>) observer(Built{static_cast<Index>(tree.nodes.size())});
   return tree;
@@ -376,9 +376,9 @@ Neighbours<T> nearest(const Tree<N, T>& tree, const Point<N, T>& q, std::size_t 
   Tally<O, Work> tally(observer);
   const auto& P = tree.points;
   Nearest<T> best(k);
-  auto waiting = whole(tree);
-  while (!waiting.empty()) {
-    auto cell = pop(waiting);
+  auto rest = whole(tree);
+  while (!rest.empty()) {
+    auto cell = pop(rest);
     T d = distance(cell.box, q);
     // Nothing nearer in it: cut off
     if (!best.reaches(d)) {
@@ -391,9 +391,9 @@ Neighbours<T> nearest(const Tree<N, T>& tree, const Point<N, T>& q, std::size_t 
     auto rank = best.take(own, i);
     if constexpr (observed<O>) observer(tally.count(Measured<T>{{own, i}, rank}));
     // The query's side comes first
-    auto two = halves(tree, cell, q);
-    push(waiting, two.far);
-    push(waiting, two.near);
+    auto h = halves(tree, cell, q);
+    push(rest, h.far);
+    push(rest, h.near);
   }
   if constexpr (observed<O>) observer(tally.count(Finished{0, 0}));
   return best.found();

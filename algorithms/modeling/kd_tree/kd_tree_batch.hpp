@@ -68,7 +68,7 @@ class Buckets {
   };
   /// In places that no point takes one is infinitely far away.
   struct alignas(32) Bucket {
-    std::array<std::array<T, room>, N> along;
+    std::array<std::array<T, room>, static_cast<std::size_t>(N)> along;
     std::array<Index, room> indices;
   };
   /// What is left to search, and how far it lies away: the squares along the axes, and their sum.

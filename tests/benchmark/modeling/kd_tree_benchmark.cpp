@@ -140,7 +140,7 @@ void add_builds(std::vector<Case>& all, const std::shared_ptr<Task>& task) {
 std::vector<Case> cases() {
   std::vector<Case> all;
   const Cloud queries = evenly_spread(1000, 2);
-  for (const std::size_t count : {100, 1'000, 10'000, 100'000, 1'000'000}) {
+  for (const std::size_t count : {100u, 1'000u, 10'000u, 100'000u, 1'000'000u}) {
     const auto task = std::make_shared<Task>(Task{evenly_spread(count, 1), queries, 8});
     add_searches(all, task);
     if (count < 1'000'000) continue;

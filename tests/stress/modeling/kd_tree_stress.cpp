@@ -200,7 +200,7 @@ Domain kd_tree() {
         .numbers = coordinates<3> + 1,
         .generate = generate<3>(),
         .error = in_both([](const auto& numbers) { return near_error(numbers); }),
-        .cases = 2'000}}};
+        .cases = 1'000}}};
 }
 
 }  // namespace gradus::stress
