@@ -67,7 +67,7 @@ class Buckets {
     int axis;
   };
   /// In places that no point takes one is infinitely far away.
-  struct alignas(32) Bucket {
+  struct alignas(64) Bucket {
     std::array<std::array<T, room>, static_cast<std::size_t>(N)> along;
     std::array<Index, room> indices;
   };

@@ -246,8 +246,8 @@ class SearchStory : public Past<steps::Started, Into, Off, Seen, Finished> {
     const PlaneCell* cell = now<Into>() ? &now<Into>()->cell : now<Off>() ? &now<Off>()->cell : nullptr;
     if (cell) {
       if (now<Into>()) {
-        plane_.add_cell(view, "c cell", *cell, Role::current, true);
-        roles[tree.middle(*cell)] = Role::current;
+        plane_.add_cell(view, "c cell", *cell, Role::candidate, true);
+        roles[tree.middle(*cell)] = Role::candidate;
       }
       plane_.add_distance(view, glm::clamp(subject_.query, cell->box.lower, cell->box.upper));
     }
@@ -271,7 +271,7 @@ class SearchStory : public Past<steps::Started, Into, Off, Seen, Finished> {
   void add_lines(View& view, const PlaneCell& cell) const {
     if (cell.empty()) return;
     const PlaneCell* here = now<Into>() ? &now<Into>()->cell : now<Off>() ? &now<Off>()->cell : nullptr;
-    plane_.add_line(view, cell, here && here->parent == cell.middle() ? Role::current : Role::boundary);
+    plane_.add_line(view, cell, here && here->parent == cell.middle() ? Role::candidate : Role::boundary);
     add_lines(view, below(subject_.tree, cell));
     add_lines(view, above(subject_.tree, cell));
   }
@@ -309,6 +309,7 @@ void tell_search(Narrator& narrator) {
   narrator.legend({{Role::input, "points"},
                    {Role::boundary, "lines"},
                    {Role::measure, "query"},
+                   {Role::candidate, "cell"},
                    {Role::current, "here"},
                    {Role::past, "measured"},
                    {Role::result, "nearest"},

@@ -38,7 +38,8 @@ class BuildStory : public Past<steps::Started, Parted<2, double>, Built> {
             .facts = {{"nodes", std::int64_t{b.nodes}}},
             .words = {{"levels", std::bit_width(b.nodes)},
                       {"bytes", b.nodes * sizeof(Node)},
-                      {"points", b.nodes * sizeof(dvec2)}}};
+                      {"points", b.nodes * sizeof(dvec2)}},
+            .ends = true};
   }
 
   /// The second line: it shows that the axis is chosen anew.

@@ -60,7 +60,7 @@ class PlaneDrawing {
     dvec2 from = cell.box.lower, to = cell.box.upper;
     from[axis] = to[axis] = subject_.tree.at(m)[axis];
     view.add(
-        {fmt::format("l {:02}", m), role, Stroke{at(from), at(to), false, false, role != Role::current}});
+        {fmt::format("l {:02}", m), role, Stroke{at(from), at(to), false, false, role == Role::boundary}});
   }
   void add_cell(View& view, const std::string& id, const PlaneCell& cell, Role role, bool outlined) const {
     view.add({id + " inside", role, Area{{corners_of(cell)}, role == Role::rejected ? 0 : 1}});
@@ -140,7 +140,7 @@ class TreeDrawing {
   void add_texts(View& view, const std::vector<std::string>& texts) const {
     for (std::size_t i = 0; i < texts.size(); ++i)
       view.add({fmt::format("u text {}", i), Role::guide,
-                Text{{of_tree.lower.x, 2.6 - 1.6 * static_cast<double>(i)}, texts[i], Align::left}});
+                Text{{of_tree.lower.x, 2.6}, texts[i], Align::left, false, static_cast<int>(i)}});
   }
   /// The points of a cell as they follow each other along the axis that parts it, below the tree.
   void add_order(View& view, const PlaneCell& cell, const std::string& caption) const {
