@@ -9,6 +9,7 @@
 #include "benchmark/subject.hpp"
 #include "core/random.hpp"
 #include "modeling/kd_tree/kd_tree_batch.hpp"
+#include "modeling/kd_tree/kd_tree_notes.hpp"
 
 #ifdef GRADUS_HAS_NANOFLANN
 #include <nanoflann.hpp>
@@ -51,20 +52,17 @@ Error of_searches(const Task& task, const Search& search) {
 
 std::string named(std::size_t count) { return fmt::format("{} points", count); }
 
-/// searches: of each run.
-Case searching(const char* method, Standing standing, const std::shared_ptr<Task>& task, std::size_t searches,
+/// A run is one search, each for the next place.
+Case searching(const char* method, Standing standing, const std::shared_ptr<Task>& task,
                const Search& search) {
   const bool of_series = task->k == 8;
+  const auto next = std::make_shared<std::size_t>(0);
   return {
       .method = method,
       .standing = standing,
       .workload = {of_series ? named(task->points.size()) : named(task->points.size()) + ", the nearest one",
                    of_series ? static_cast<double>(task->points.size()) : 0},
-      .items = static_cast<std::int64_t>(searches),
-      .run =
-          [task, searches, search] {
-            for (std::size_t i = 0; i < searches; ++i) search(task->queries[i]);
-          },
+      .run = [task, next, search] { search(task->queries[++* next %= task->queries.size()]); },
       .error = of_searches(*task, search)};
 }
 Case building(const char* method, Standing standing, const std::shared_ptr<Task>& task,
@@ -111,22 +109,25 @@ struct TheirSearch {
 void add_searches(std::vector<Case>& all, const std::shared_ptr<Task>& task) {
   const auto tree = std::make_shared<Tree<3, float>>(build<3, float>(task->points));
   const auto buckets = std::make_shared<Buckets<3, float>>(task->points);
-  const std::size_t some = task->queries.size();
-  all.push_back(searching("nearest", Standing::taught, task, some,
+  all.push_back(searching("nearest", Standing::taught, task,
                           [task, tree](const Place& q) { return nearest<3, float>(*tree, q, task->k); }));
-  all.push_back(searching("Buckets", Standing::batch, task, some, [task, buckets](const Place& q) {
+  all.push_back(searching("Buckets", Standing::batch, task, [task, buckets](const Place& q) {
     Found found(task->k);
     buckets->nearest(q, found);
     return found;
   }));
-  const std::size_t few = std::clamp<std::size_t>(100'000 / task->points.size(), 1, some);
-  all.push_back(searching("brute_force", Standing::robust, task, few, [task](const Place& q) {
+  all.push_back(searching("brute_force", Standing::robust, task, [task](const Place& q) {
     return brute_force<3, float>(task->points, q, task->k);
   }));
+  all.push_back(searching("no_turning_back", Standing::faulty, task, [task, tree](const Place& q) {
+    return no_turning_back<3, float>(*tree, q, task->k);
+  }));
+  all.push_back(searching("not_squared", Standing::faulty, task,
+                          [task, tree](const Place& q) { return not_squared<3, float>(*tree, q, task->k); }));
 #ifdef GRADUS_HAS_NANOFLANN
   const auto theirs = std::make_shared<TheirSearch>(task);
   all.push_back(
-      searching("nanoflann", Standing::peer, task, some, [theirs](const Place& q) { return (*theirs)(q); }));
+      searching("nanoflann", Standing::peer, task, [theirs](const Place& q) { return (*theirs)(q); }));
 #endif
 }
 void add_builds(std::vector<Case>& all, const std::shared_ptr<Task>& task) {

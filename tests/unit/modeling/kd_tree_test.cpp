@@ -219,8 +219,9 @@ TEST(KdTree, SearchesComputeAsFewDistancesAsThePageSays) {
       nearest<3, double>(tree, q, eight == 0 ? 1 : 8, count);
     }
   }
-  EXPECT_TRUE(test::states(page, "a search for one computes {} distances in the mean, for eight {};",
-                           {means[0], means[1]}));
+  EXPECT_TRUE(test::states(
+      page, "Of {} random points of space a search for one computes {} distances in the mean, for eight {};",
+      {static_cast<double>(points.size()), means[0], means[1]}));
 }
 
 TEST(KdTree, ItTakesEightBytesForEachPoint) {

@@ -126,6 +126,8 @@ class SearchStory : public Past<steps::Started, Into, Off, Seen, Finished> {
                 .count = std::ssize(found())};
     if (wrong) {
       const auto [ours, theirs] = std::ranges::mismatch(found(), right_);
+      event.decides =
+          yes_or_no(words_, "question.right", {{"names", names_of(found())}}, false, "right", "wrong");
       event.words.push_back({"right", name_of(theirs->point)});
       event.words.push_back({"its", length(*theirs)});
     }
@@ -137,8 +139,9 @@ class SearchStory : public Past<steps::Started, Into, Off, Seen, Finished> {
     using Step = std::decay_t<decltype(step)>;
     if constexpr (std::same_as<Step, Off>)
       return (step.cell.last - step.cell.first) + (missed_in(step.cell) ? 1000 : 0);
-    if constexpr (std::same_as<Step, Finished>)
-      return kind_ == Kind::brute_force || found() != right_ ? 500 : 0;
+    if constexpr (std::same_as<Step, Seen>)
+      return kind_ == Kind::brute_force ? static_cast<double>(all<Seen>().size()) : 0;
+    if constexpr (std::same_as<Step, Finished>) return found() != right_ ? 500 : 0;
     return 0;
   }
 
@@ -261,7 +264,7 @@ class SearchStory : public Past<steps::Started, Into, Off, Seen, Finished> {
     Roles nodes;
     for (const Node& node : tree.nodes)
       nodes.push_back(roles[node.point] == Role::input ? Role::guide : roles[node.point]);
-    tree_.add(view, nodes, true);
+    tree_.add(view, nodes, false);
     tree_.add_texts(view,
                     {words_.say("cost.distances", {{"n", all<Seen>().size()}, {"points", nodes.size()}}),
                      words_.say("cost.bytes", {{"tree", nodes.size() * sizeof(Node)},
@@ -304,7 +307,7 @@ void tell_search(Narrator& narrator) {
   else
     narrator.columns({{"cell", false},
                       {kind == Kind::unsquared ? "of_cell_plain" : "of_cell"},
-                      {"of_point"},
+                      {"of_point", false},
                       {"nearest", false}});
   narrator.legend({{Role::input, "points"},
                    {Role::boundary, "lines"},

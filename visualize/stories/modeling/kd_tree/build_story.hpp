@@ -72,7 +72,7 @@ class BuildStory : public Past<steps::Started, Parted<2, double>, Built> {
       tree_.add_order(view, p->cell, words_.say("order", {{"axis", words_.axis(p->middle.axis)}}));
     }
     plane_.add_points(view, roles);
-    tree_.add(view, nodes, false);
+    tree_.add(view, nodes, true);
     return view;
   }
 

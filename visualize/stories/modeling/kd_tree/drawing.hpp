@@ -124,16 +124,15 @@ class TreeDrawing {
     place(subject.tree.whole(), 0);
   }
 
-  /// roles: of each node; those of guides have no circle yet.
-  void add(View& view, const Roles& roles, bool all_named) const {
+  /// roles: of each node. Those that are still to come are small, while a tree is built also those of a cell.
+  void add(View& view, const Roles& roles, bool building) const {
+    const auto reach = [&](Index node) { return has_letter(roles[node], building) ? radius : small; };
     for (Index node = 0; node < at_.size(); ++node) {
-      const bool named = (all_named || is_done(roles[node])) && has_room();
-      add_node(view, node, roles[node], named);
+      add_node(view, node, roles[node], building);
       if (parents_[node] == none) continue;
       const dvec2 from = at_[parents_[node]], to = at_[node], way = (to - from) / glm::length(to - from);
-      const double below = all_named || is_done(roles[parents_[node]]) ? size() : small;
       view.add({fmt::format("s branch {:02}", node), roles[node],
-                Stroke{from + below * way, to - (named ? size() : small) * way, false, false, true}});
+                Stroke{from + reach(parents_[node]) * way, to - reach(node) * way, false, false, true}});
     }
   }
   /// Lines of text below the tree.
@@ -168,11 +167,12 @@ class TreeDrawing {
 
   static constexpr double small = 0.3;
 
-  bool has_room() const { return at_.size() <= most_named; }
-  double size() const { return has_room() ? radius : small; }
-  /// In the colours of a step.
+  /// In the colours of a step that was made.
   static bool is_done(Role role) {
     return role == Role::past || role == Role::current || role == Role::result;
+  }
+  bool has_letter(Role role, bool building) const {
+    return at_.size() <= most_named && role != Role::guide && (is_done(role) || !building);
   }
 
   void place(const PlaneCell& cell, int depth) {
@@ -183,11 +183,10 @@ class TreeDrawing {
     place(below(subject_.tree, cell), depth + 1);
     place(above(subject_.tree, cell), depth + 1);
   }
-  void add_node(View& view, Index node, Role role, bool named) const {
+  void add_node(View& view, Index node, Role role, bool building) const {
     const std::string id = fmt::format("t node {:02}", node);
-    if (!named) return view.add({id, role, Dot{at_[node], !is_done(role)}});
+    if (!has_letter(role, building)) return view.add({id, role, Dot{at_[node], !is_done(role)}});
     view.add({id + " name", role, Text{at_[node], name_of(subject_.tree.nodes[node].point)}});
-    if (role == Role::guide) return;
     constexpr int corners = 28;
     std::vector<dvec2> circle;
     for (int i = 0; i < corners; ++i) {
