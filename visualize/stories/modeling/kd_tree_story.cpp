@@ -225,7 +225,7 @@ class SearchStory : public Past<steps::Started, Into, Off, Seen, Finished> {
   void take_roles(Roles& roles) const {
     for (const Seen& m : all<Seen>()) roles[m.found.point] = Role::past;
     for (const Neighbour<double>& n : found()) roles[n.point] = Role::result;
-    if (const Seen* m = now<Seen>(); m && m->rank == 0) roles[m->found.point] = Role::current;
+    if (const Seen* m = now<Seen>(); m && m->rank == 0) roles[m->found.point] = Role::candidate;
   }
   void draw_all(View& view) const {
     Roles roles(subject_.points.size(), Role::input);
@@ -262,8 +262,7 @@ class SearchStory : public Past<steps::Started, Into, Off, Seen, Finished> {
     }
     plane_.add_points(view, roles);
     Roles nodes;
-    for (const Node& node : tree.nodes)
-      nodes.push_back(roles[node.point] == Role::input ? Role::guide : roles[node.point]);
+    for (const Node& node : tree.nodes) nodes.push_back(roles[node.point]);
     tree_.add(view, nodes, false);
     tree_.add_texts(view,
                     {words_.say("cost.distances", {{"n", all<Seen>().size()}, {"points", nodes.size()}}),
@@ -312,8 +311,7 @@ void tell_search(Narrator& narrator) {
   narrator.legend({{Role::input, "points"},
                    {Role::boundary, "lines"},
                    {Role::measure, "query"},
-                   {Role::candidate, "cell"},
-                   {Role::current, "here"},
+                   {Role::candidate, "here"},
                    {Role::past, "measured"},
                    {Role::result, "nearest"},
                    {Role::rejected, "cut_off"},
