@@ -76,7 +76,7 @@ struct NodeMerged {
 };
 
 /// A node's ends are still right.
-struct Kept {
+struct Reused {
   Index node;
 };
 /// A node was computed again.
@@ -138,7 +138,7 @@ Ends<T> merged(Op op, const Ends<T>& a, const Ends<T>& b) {
   return ends;
 }
 
-/// Whether an operand is among these; a leaf has none.
+/// Whether an operation has an operand among these.
 template <class T>
 bool reads(const Node<T>& node, const std::vector<bool>& these) {
   return !is_leaf(node) && (these[node.a] || these[node.b]);
@@ -179,7 +179,8 @@ bool contains(Tree<T> tree, const Point<T>& x, O&& observer = {}) {
   for (Index i = 0; i < n; ++i) {
     const Node<T>& node = tree[i];
     if (is_leaf(node)) {
-      auto at = placed(node.solid, x);
+      auto& solid = node.solid;
+      auto at = placed(solid, x);
       in[i] = at.in;
       if constexpr (observed<O>) observer(LeafTested{i, at.side, at.in});
       continue;
@@ -215,7 +216,8 @@ Ends<T> along_ray(Tree<T> tree, const Ray<T>& ray, O&& observer = {}) {
   for (Index i = 0; i < n; ++i) {
     const Node<T>& node = tree[i];
     if (is_leaf(node)) {
-      on[i] = ends_in(node.solid, ray);
+      auto& solid = node.solid;
+      on[i] = ends_in(solid, ray);
       if constexpr (observed<O>) observer(LeafHit<T>{i, on[i]});
       continue;
     }
@@ -267,11 +269,11 @@ Evaluation<T> evaluated(Nodes<T> tree, const Ray<T>& ray) {
 ///   before.
 ///
 /// Domain: that of along_ray.
-/// Steps: for each node in their order Kept or Renewed.
+/// Steps: for each node in their order Reused or Renewed.
 /// Accuracy: the same ends, bit for bit, as if all were computed.
 /// Cost: one pass per node on the way.
 /// Errors: ContractViolation outside the domain, and where the node is no leaf.
-template <std::floating_point T, Observer<Kept, Renewed<T>> O = Unobserved>
+template <std::floating_point T, Observer<Reused, Renewed<T>> O = Unobserved>
 Undo<T> change(Evaluation<T>& e, Index leaf, const Solid<T>& solid, O&& observer = {}) {
   expects(leaf < e.tree.size() && is_leaf(e.tree[leaf]), "node {} is no leaf", leaf);
   expect_any(solid);
@@ -284,7 +286,7 @@ Undo<T> change(Evaluation<T>& e, Index leaf, const Solid<T>& solid, O&& observer
     const Node<T>& node = e.tree[i];
     bool below = reads(node, fresh);
     if (i != leaf && !below) {
-      if constexpr (observed<O>) observer(Kept{i});
+      if constexpr (observed<O>) observer(Reused{i});
       continue;
     }
     Ends<T> now = found(e, i);
@@ -301,10 +303,11 @@ Undo<T> change(Evaluation<T>& e, Index leaf, const Solid<T>& solid, O&& observer
 /// Accuracy: the state before, bit for bit.
 template <class T, Observer<Restored<T>> O = Unobserved>
 void restore(Evaluation<T>& e, const Undo<T>& undo, O&& observer = {}) {
-  e.tree[undo.leaf].solid = undo.solid;
-  for (auto& [node, ends] : undo.on) {
-    e.on[node] = ends;
-    if constexpr (observed<O>) observer(Restored<T>{node, ends});
+  auto& its = e.tree[undo.leaf];
+  its.solid = undo.solid;
+  for (auto& [i, ends] : undo.on) {
+    e.on[i] = ends;
+    if constexpr (observed<O>) observer(Restored<T>{i, ends});
   }
 }
 

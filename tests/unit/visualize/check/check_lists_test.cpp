@@ -264,6 +264,8 @@ std::vector<Row> table() {
       {"parametric_surface", "rows", {{"method", "patches"}}, is_in_order},
       {"kd_tree", "points", {{"query", "6,9"}}, is_in_order},
       {"kd_tree", "middles", {{"method", "build"}}, is_in_order},
+      {"csg_tree", "lengths", {}, is_in_order},
+      {"csg_tree", "inside", {{"method", "membership"}}, is_in_order},
       {"back_face_culling", "signs", {}, are_the_signs_of_a_cube},
       {"painter",
        "order",
