@@ -78,7 +78,8 @@ Case case_of(const char* method, Standing standing, int leaves, const LengthOf& 
     sum.add(std::abs(length_of(*scene, ray) - length_in(along_ray<double>(scene->tree, ray))));
   return {.method = method,
           .standing = standing,
-          .workload = {fmt::format("{} leaves", leaves), static_cast<double>(leaves)},
+          .workload = {fmt::format("{} {}", leaves, leaves == 1 ? "leaf" : "leaves"),
+                       static_cast<double>(leaves)},
           .items = rays,
           .run =
               [scene, length_of, length] {
@@ -112,7 +113,7 @@ Subject csg_tree() {
   return {.topic = "csg_tree",
           .title = "A ray through a CSG tree",
           .item = "ray",
-          .unit = "of the ray's length",
+          .unit = "parts of the ray",
           .measure = "leaves",
           .telling = "64 leaves",
           .cases = cases,

@@ -219,7 +219,7 @@ void tell_edit(Narrator& narrator) {
   narrator.handles("ray", shown_in(story.drawing().section().panel()));
   narrator.columns({{"node", false}, {"what", false}, {"ends", false}, {"how", false}});
   narrator.legend({{Role::current, "node"},
-                   {Role::result, "again"},
+                   {Role::candidate, "again"},
                    {Role::past, "kept"},
                    {Role::input, "leaves"},
                    {Role::rejected, "old"},
@@ -275,7 +275,7 @@ const TopicEntry& entry() {
                       numbers("move", "0,0", "-3,0", "by how much it moves", xy, {1e-3, 1e3}),
                       number("scale", "1.5", "0.5", "how many times as large it becomes", {1e-3, 4})},
        .examples = {"--ray '0,2 20,7'", "--method membership --point 12,4",
-                    "--method edit --leaf A --scale 0.5", "--shape dice --step last"},
+                    "--method edit --leaf A --scale 0.5", "--shape dice --ray '2,4 18,4'"},
        .checking = &checking()});
   return topic;
 }

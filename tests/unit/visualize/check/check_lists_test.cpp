@@ -265,7 +265,7 @@ std::vector<Row> table() {
       {"kd_tree", "points", {{"query", "6,9"}}, is_in_order},
       {"kd_tree", "middles", {{"method", "build"}}, is_in_order},
       {"csg_tree", "lengths", {}, is_in_order},
-      {"csg_tree", "inside", {{"method", "membership"}}, is_in_order},
+      {"csg_tree", "sides", {{"method", "membership"}}, is_in_order},
       {"back_face_culling", "signs", {}, are_the_signs_of_a_cube},
       {"painter",
        "order",

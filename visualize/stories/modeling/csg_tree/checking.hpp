@@ -11,10 +11,10 @@ inline const Checking& checking() {
                                          .type = "NodeMerged",
                                          .fields = {"length"},
                                          .method = "along_ray"},
-                                        {.name = "inside",
+                                        {.name = "sides",
                                          .same = SameList::order,
                                          .type = "LeafTested",
-                                         .fields = {"in"},
+                                         .fields = {"side"},
                                          .method = "membership"}}};
   return known;
 }

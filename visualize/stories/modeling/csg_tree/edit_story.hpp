@@ -88,14 +88,14 @@ class EditStory : public Past<steps::Started, Reused, Renewed<double>, Restored<
     const RayDrawing& shown = asked && !undone ? new_ : old_;
     const auto* renewed = now<Renewed<double>>();
     shown.add_picture(view);
-    shown.section().add_region(view, "a region", undone ? Role::result : Role::accepted, root);
+    shown.section().add_region(view, "a region", Role::accepted, root);
     shown.section().add_leaves(view);
     if (asked && !undone) old_.section().add_outline(view, "a before", Role::rejected, leaf_, true);
     shown.section().add_ray(view, words_.symbol("t"));
     std::vector<DEnds> ends = kept_;
     std::vector<Role> roles(kept_.size(), Role::past);
-    for (const auto& r : all<Renewed<double>>()) ends[r.node] = r.now, roles[r.node] = Role::result;
-    for (const auto& r : all<Restored<double>>()) ends[r.node] = r.ends;
+    for (const auto& r : all<Renewed<double>>()) ends[r.node] = r.now, roles[r.node] = Role::candidate;
+    for (const auto& r : all<Restored<double>>()) ends[r.node] = r.ends, roles[r.node] = Role::past;
     if (renewed) roles[renewed->node] = Role::current;
     if (const auto* restored = now<Restored<double>>()) roles[restored->node] = Role::current;
     shown.section().add_inside(view, roles[root], ends[root]);
