@@ -208,11 +208,11 @@ void tell_edit(Narrator& narrator) {
   if (number >= leaves.size())
     refuse("leaf", "expected one of the {} leaves, found {}", leaves.size(), letter);
   const std::vector<double> move = narrator.arguments().numbers("move");
-  const double scale = *narrator.arguments().number("scale");
-  if (!(0 < scale && scale <= 4)) refuse("scale", "expected a factor above 0, up to 4, found {}", scale);
+  const double factor = *narrator.arguments().number("factor");
+  if (!(0 < factor && factor <= 4)) refuse("factor", "expected a factor above 0, up to 4, found {}", factor);
   const Index leaf = leaves[number];
   Subject after = before;
-  after.tree[leaf].solid = edited(before.tree[leaf].solid, {move[0], move[1]}, scale);
+  after.tree[leaf].solid = edited(before.tree[leaf].solid, {move[0], move[1]}, factor);
   Evaluation<double> e = evaluated(before.tree, before.ray());
   EditStory story(narrator.words(), before, after, leaf, e.on, along(Kind::right));
   set_up(narrator, before, story.drawing().section());
@@ -239,8 +239,8 @@ void tell_edit(Narrator& narrator) {
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
   using namespace parameters;
-  const std::vector<std::string> of_edit{"leaf", "move", "scale"};
-  const std::vector<std::string> of_ray{"point", "leaf", "move", "scale"};
+  const std::vector<std::string> of_edit{"leaf", "move", "factor"};
+  const std::vector<std::string> of_ray{"point", "leaf", "move", "factor"};
   static const TopicEntry topic = completed<entry>(
       {.name = "csg_tree",
        .chapter = "modeling",
@@ -253,7 +253,7 @@ const TopicEntry& entry() {
                    {.name = "membership",
                     .tell = tell_membership,
                     .function = "contains",
-                    .unread = {"ray", "leaf", "move", "scale"}},
+                    .unread = {"ray", "leaf", "move", "factor"}},
                    {.name = "edit", .tell = tell_edit, .function = "change", .unread = {"point"}},
                    {.name = "exchanged",
                     .standing = Standing::faulty,
@@ -273,9 +273,9 @@ const TopicEntry& entry() {
                              {1e-3, 1e3}),
                       choice("leaf", {"A", "B", "C", "D", "E"}, "C", "B", "the leaf that is changed"),
                       numbers("move", "0,0", "-3,0", "by how much it moves", xy, {1e-3, 1e3}),
-                      number("scale", "1.5", "0.5", "how many times as large it becomes", {1e-3, 4})},
+                      number("factor", "1.5", "0.5", "how many times as large it becomes", {1e-3, 4})},
        .examples = {"--ray '0,2 20,7'", "--method membership --point 12,4",
-                    "--method edit --leaf A --scale 0.5", "--shape dice --ray '2,4 18,4'"},
+                    "--method edit --leaf A --factor 0.5", "--shape dice --ray '2,4 18,4'"},
        .checking = &checking()});
   return topic;
 }

@@ -14,12 +14,20 @@ using Ring2 = std::vector<dvec2>;
 
 // --- Regions
 
-/// What a node fills of a frame, found by rays along x: rings, each between two neighbouring ends of rows.
+/// What a node fills of a frame, found by rays along x: rings, each between two neighbouring ends of rows,
+/// and its outline, which goes along their sides and where one row is inside and the next is not.
 class Region {
  public:
+  explicit Region(const Extent& frame) : frame_(frame) {}
+
   /// Where a row is inside.
   void add_row(double y, const DEnds& ends) {
-    if (ends.size() != open_.size() * 2) close();
+    if (ends.size() != open_.size() * 2) {
+      close();
+      add_caps(y, merged(Op::subtract, before_, ends));
+      add_caps(y, merged(Op::subtract, ends, before_));
+    }
+    before_ = ends;
     open_.resize(ends.size() / 2);
     for (Index k = 0; k < open_.size(); ++k) {
       open_[k].left.push_back({ends[2 * k], y});
@@ -28,30 +36,48 @@ class Region {
   }
   void close() {
     for (auto& [left, right] : open_) {
+      add_side(left, frame_.lower.x);
+      add_side(right, frame_.upper.x);
       left.insert(left.end(), right.rbegin(), right.rend());
       rings_.push_back(without_straight(left));
     }
     open_.clear();
   }
   const std::vector<Ring2>& rings() const { return rings_; }
+  const std::vector<Ring2>& outline() const { return outline_; }
 
  private:
   struct Sides {
     Ring2 left{}, right{};
   };
-  /// Corners alone.
-  static Ring2 without_straight(const Ring2& ring) {
+  /// Where the frame ends the region goes on.
+  void add_side(const Ring2& side, double border) {
+    const Ring2 line = without_straight(side);
+    if (std::ranges::any_of(line, [&](dvec2 p) { return p.x != border; })) outline_.push_back(line);
+  }
+  void add_caps(double y, const DEnds& ends) {
+    for (Index k = 0; k < ends.size() && y > frame_.lower.y; k += 2) {
+      if (ends[k + 1] - ends[k] > 1e-6 * frame_.size().x)
+        outline_.push_back({{ends[k], y}, {ends[k + 1], y}});
+    }
+  }
+  /// Its ends and its corners alone.
+  static Ring2 without_straight(const Ring2& line) {
     Ring2 kept;
-    for (Index i = 0; i < ring.size(); ++i) {
-      const dvec2 a = kept.empty() ? ring.back() : kept.back(), b = ring[i], c = ring[(i + 1) % ring.size()];
-      const dvec2 p = b - a, q = c - b;
-      if (std::abs(p.x * q.y - p.y * q.x) > 1e-9 * length_of(p) * length_of(q)) kept.push_back(b);
+    for (Index i = 0; i < line.size(); ++i) {
+      const bool is_end = i == 0 || i + 1 == line.size();
+      const dvec2 p = is_end ? dvec2(0) : line[i] - kept.back(),
+                  q = is_end ? dvec2(0) : line[i + 1] - line[i];
+      if (is_end || std::abs(p.x * q.y - p.y * q.x) > 1e-9 * length_of(p) * length_of(q))
+        kept.push_back(line[i]);
     }
     return kept;
   }
 
+  Extent frame_;
+  DEnds before_{};
   std::vector<Sides> open_{};
-  std::vector<Ring2> rings_{};
+  std::vector<Ring2> rings_{}, outline_{};
 };
 
 /// Of each node what it fills of a frame in the plane z = 0. along(tree, ray): the ends of all nodes.
@@ -71,7 +97,7 @@ std::vector<Region> regions_of(const DNodes& tree, const Extent& frame, const Al
     add((c ? c->centre.y : b->centre.y) + (c ? c->radius : b->radius));
   }
   std::ranges::sort(heights);
-  std::vector<Region> regions(tree.size());
+  std::vector<Region> regions(tree.size(), Region(frame));
   for (const double y : heights) {
     if (y < frame.lower.y || frame.upper.y < y) continue;
     std::vector<DEnds> on = along(tree, {{frame.lower.x, y, 0}, {1, 0, 0}, frame.size().x});
@@ -102,10 +128,11 @@ class Section {
   }
 
   void add_region(View& view, const std::string& id, Role role, Index node) const {
+    const Region& region = regions_[node];
+    for (std::size_t k = 0; k < region.outline().size(); ++k)
+      view.add({fmt::format("{} outline {:02}", id, k), role, Path{panel_.at(region.outline()[k])}});
     std::vector<Ring2> rings;
-    for (const Ring2& ring : regions_[node].rings()) rings.push_back(panel_.at(ring));
-    for (std::size_t k = 0; k < rings.size(); ++k)
-      view.add({fmt::format("{} outline {}", id, k), role, Path{rings[k], true}});
+    for (const Ring2& ring : region.rings()) rings.push_back(panel_.at(ring));
     if (!rings.empty()) view.add({id, role, Area{std::move(rings)}});
   }
   void add_leaves(View& view) const {
