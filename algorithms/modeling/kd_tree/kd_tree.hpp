@@ -311,12 +311,12 @@ int longest_side(const AxisBox<N, T>& box) {
 /// index, with the less before and the greater behind it.
 template <int N, class T>
 Node part(Tree<N, T>& tree, const Cell<N, T>& cell, int axis) {
-  const auto begin = tree.nodes.begin();
+  const auto at = [&](Index node) { return tree.nodes.begin() + static_cast<std::ptrdiff_t>(node); };
   const auto less = [&](const Node& a, const Node& b) {
     const T &x = tree.points[a.point][axis], &y = tree.points[b.point][axis];
     return x < y || (x == y && a.point < b.point);
   };
-  std::nth_element(begin + cell.first, begin + cell.middle(), begin + cell.last, less);
+  std::nth_element(at(cell.first), at(cell.middle()), at(cell.last), less);
   tree.nodes[cell.middle()].axis = axis;
   return tree.nodes[cell.middle()];
 }
