@@ -24,6 +24,13 @@ void run(Kind kind, const DNodes& tree, const DRay& ray, Watch&& watch) {
   else
     along_ray<double>(tree, ray, watch);
 }
+/// The tree that a method evaluates.
+DNodes made_by(Kind kind, DNodes tree) {
+  for (Node<double>& node : tree) {
+    if (kind == Kind::exchanged) std::swap(node.a, node.b);
+  }
+  return tree;
+}
 /// The ends of all nodes.
 auto along(Kind kind) {
   return [kind](const DNodes& tree, const DRay& ray) {
@@ -36,7 +43,10 @@ auto along(Kind kind) {
 class RayStory : public Past<steps::Started, LeafHit<double>, NodeMerged<double>, steps::Finished> {
  public:
   RayStory(const Words& words, const Subject& subject, Kind kind)
-      : words_(words), subject_(subject), kind_(kind), drawing_(subject, extent_of(subject), along(kind)) {}
+      : words_(words),
+        subject_(subject),
+        kind_(kind),
+        drawing_(subject, made_by(kind, subject.tree), extent_of(subject), along(kind)) {}
 
   const RayDrawing& drawing() const { return drawing_; }
 
@@ -203,10 +213,11 @@ void tell_membership(Narrator& narrator) {
 void tell_edit(Narrator& narrator) {
   const Subject before = subject_of(narrator.arguments());
   const std::vector<Index> leaves = before.leaves();
-  const std::string& letter = narrator.arguments().text("leaf");
-  const auto number = static_cast<Index>(letter.front() - 'A');
-  if (number >= leaves.size())
-    refuse("leaf", "expected one of the {} leaves, found {}", leaves.size(), letter);
+  const Arguments::Entry& letter = narrator.arguments().entry("leaf");
+  auto number = static_cast<Index>(letter.text.front() - 'A');
+  if (number >= leaves.size() && letter.given)
+    refuse("leaf", "expected one of the {} leaves, found {}", leaves.size(), letter.text);
+  number = std::min(number, leaves.size() - 1);
   const std::vector<double> move = narrator.arguments().numbers("move");
   const double factor = *narrator.arguments().number("factor");
   if (!(0 < factor && factor <= 4)) refuse("factor", "expected a factor above 0, up to 4, found {}", factor);

@@ -249,7 +249,7 @@ class Rows {
   static constexpr double foot = 3.1, bars = 9.6;
 
  private:
-  double x_of(Index i) const { return 0.6 + 0.9 * static_cast<double>(depth_[i]); }
+  double x_of(Index i) const { return 0.2 + 0.9 * static_cast<double>(depth_[i]); }
 
   const DNodes& tree_;
   std::vector<Index> depth_;
@@ -260,12 +260,13 @@ class Rows {
 /// its own.
 class RayDrawing {
  public:
+  /// made: the tree of the solid that comes out.
   template <class Along>
-  RayDrawing(const Subject& subject, const Extent& world, const Along& along)
+  RayDrawing(const Subject& subject, const DNodes& made, const Extent& world, const Along& along)
       : rows_(subject.tree),
-        section_(subject, world, {{Rows::bars, rows_.top() + 0.9}, {paper_width - 0.8, paper_height - 0.4}},
+        section_(subject, world, {{Rows::bars, rows_.top() + 0.9}, {paper_width - 0.4, paper_height - 0.4}},
                  along),
-        picture_(subject, picture_place()),
+        picture_(subject, made, picture_place()),
         last_(subject.ray().last),
         aligned_(subject.ray().way.x >= 0.5) {}
 

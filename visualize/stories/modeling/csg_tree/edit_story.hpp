@@ -30,8 +30,8 @@ class EditStory : public Past<steps::Started, Reused, Renewed<double>, Restored<
         after_(after),
         leaf_(leaf),
         kept_(std::move(kept)),
-        old_(before, world_of(before, after), along),
-        new_(after, world_of(before, after), along) {}
+        old_(before, before.tree, world_of(before, after), along),
+        new_(after, after.tree, world_of(before, after), along) {}
 
   const RayDrawing& drawing() const { return old_; }
 

@@ -61,11 +61,10 @@ inline dvec3 normal_at(const Solid<double>& solid, dvec3 x) {
 
 class SolidPicture {
  public:
-  SolidPicture(const Subject& subject, const Extent& its_place) {
+  SolidPicture(const Subject& subject, DNodes tree, const Extent& its_place) {
     // What lies behind the section, as far as it reaches
     const Extent extent = extent_of(subject);
     const Index root = subject.root();
-    DNodes tree = subject.tree;
     const Box<double> behind{dvec3(extent.lower, -6), dvec3(extent.upper, 0)};
     add_leaf<double>(tree, behind);
     add_node(tree, Op::intersect, root, root + 1);

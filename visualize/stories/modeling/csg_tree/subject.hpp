@@ -49,11 +49,12 @@ inline std::string term_of(const DNodes& tree, Index i, bool exchanged = false) 
   return fmt::format("{}\u00a0{}\u00a0{}", name_of(tree, exchanged ? b : a),
                      signs[static_cast<std::size_t>(op)], name_of(tree, exchanged ? a : b));
 }
-/// "2…12 ∪ 16…18", "∅".
+/// "[2, 12] ∪ [16, 18]", "∅".
 inline std::string text_of(const DEnds& ends) {
   std::string text;
   for (Index k = 0; k + 1 < ends.size(); k += 2)
-    text += fmt::format("{}{}…{}", k > 0 ? "\u00a0∪ " : "", figure_real(ends[k]), figure_real(ends[k + 1]));
+    text += fmt::format("{}[{},\u00a0{}]", k > 0 ? "\u00a0∪ " : "", figure_real(ends[k]),
+                        figure_real(ends[k + 1]));
   return text.empty() ? "∅" : text;
 }
 /// What a node is: "plate", or "A ∪ B".
