@@ -270,7 +270,11 @@ const TopicEntry& entry() {
              .tell = tell_point<false>,
              .unread = of_join},
             {.name = "join", .tell = tell_join<false>, .unread = {"uv"}},
-            {.name = "transposed", .standing = Standing::faulty, .tell = tell_point<true>, .unread = of_join},
+            {.name = "transposed",
+             .standing = Standing::faulty,
+             .tell = tell_point<true>,
+             .unread = of_join,
+             .opening = {{"uv", "0.25,0.75"}}},
             {.name = "turned_back", .standing = Standing::faulty, .tell = tell_join<true>, .unread = {"uv"}}},
        .parameters = {points(4, 36, "control",
                              "0,-1,12 4,1,12 8,0,12 12,-2,12 0,3,8 4,6,8 8,5,8 12,2,8 "
