@@ -120,22 +120,22 @@ bool is_at(const Ends<T>& ends, Index i, T t) {
 /// Cost: one pass, two comparisons per end.
 template <class T>
 Ends<T> merged(Op op, const Ends<T>& a, const Ends<T>& b) {
-  Ends<T> ends;
-  const Index n = a.size() + b.size();
+  Ends<T> out;
+  Index n = a.size() + b.size();
   Index i = 0, j = 0;
   while (i + j < n) {
     T t = next_end(a, i, b, j);
     // At one t both may change
     if (is_at(a, i, t)) ++i;
     if (is_at(b, j, t)) ++j;
-    // Past an odd number of ends: in
+    // Past an odd number: inside
     bool in_a = i % 2 == 1;
     bool in_b = j % 2 == 1;
     bool in = apply(op, in_a, in_b);
-    bool was = ends.size() % 2 == 1;
-    if (in != was) ends.push_back(t);
+    bool was = out.size() % 2 == 1;
+    if (in != was) out.push_back(t);
   }
-  return ends;
+  return out;
 }
 
 /// Whether an operation has an operand among these.

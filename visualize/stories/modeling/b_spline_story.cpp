@@ -16,7 +16,7 @@
 namespace gradus::b_spline {
 namespace {
 
-constexpr Extent above_knots{{2, 7}, {34, 25.5}}, above_weights{{3, 16.6}, {33, 26}};
+constexpr Extent above_knots{{1.4, 7}, {34.8, 26}}, above_weights{{3, 16.6}, {33, 26}};
 
 // --- What is asked for
 

@@ -154,7 +154,7 @@ class PointStory : public Past<steps::Started, RowReduced<double>, Reached<doubl
     for (int round = 1; b.size() > 2; ++round) {
       for (Index i = 0; i + 1 < b.size(); ++i) b[i] = (1 - t) * b[i] + t * b[i + 1];
       b.pop_back();
-      view.add({fmt::format("u round {}", round), Role::measure, drawing_.path(b, b.size() > 2)});
+      view.add({fmt::format("u round {}", round), Role::measure, drawing_.path(b, true)});
       for (Index i = 0; i < b.size(); ++i)
         view.add({fmt::format("u round {} {}", round, i), Role::measure, Dot{drawing_.at(b[i])}});
     }

@@ -65,7 +65,10 @@ class InsertStory : public Past<steps::Started, Placed<2, double>, Inserted<2, d
     const bool done = now<Finished>() != nullptr;
     const Subject& before = subjects_[subjects_.size() - (inserted ? 2 : 1)];
     const SplineDrawing drawing(before, drawing_.panel());
-    if (!done) drawing.add_polygon(view, true, turn() - (inserted ? 1 : 0));
+    if (done)
+      SplineDrawing(subject_, drawing_.panel()).add_polygon(view, false);
+    else
+      drawing.add_polygon(view, true, turn() - (inserted ? 1 : 0));
     drawing.add_curve(view);
     if (done) add_pieces(view);
     if (inserted) add_inserted(view, inserted->curve.control);

@@ -169,11 +169,21 @@ class Section {
     for (Index k = 0; k < ends.size(); ++k) {
       if (k % 2 == 0)
         view.add({fmt::format("e inside {}", k), role, Stroke{at_t(ends[k]), at_t(ends[k + 1])}});
-      view.add_named(fmt::format("f end {}", k), role, at_t(ends[k]), figure_real(ends[k]));
+      const std::string id = fmt::format("f end {}", k);
+      if (has_room(ends, k))
+        view.add_named(id, role, at_t(ends[k]), figure_real(ends[k]));
+      else
+        view.add({id, role, Dot{at_t(ends[k])}});
     }
   }
 
  private:
+  /// Whether an end's number has room between its neighbours.
+  bool has_room(const DEnds& ends, Index k) const {
+    constexpr double least = 2;  // on paper
+    const auto apart = [&](Index i, Index j) { return length_between(at_t(ends[i]), at_t(ends[j])); };
+    return (k == 0 || apart(k - 1, k) >= least) && (k + 1 == ends.size() || apart(k, k + 1) >= least);
+  }
   dvec2 add_line(View& view, const std::string& id, Role role, dvec2 on, dvec2 way, bool dashed) const {
     const Extent frame = panel_.shown();
     const auto [first, last] = span_in(frame, on, way, -1e9, 1e9);
@@ -213,7 +223,7 @@ class Rows {
     for (Index i = tree.size(); i-- > 0;) {
       if (!is_leaf(tree[i])) depth_[tree[i].a] = depth_[tree[i].b] = depth_[i] + 1;
     }
-    height_ = std::min(2.6, 14.7 / static_cast<double>(tree.size()));
+    height_ = std::min(2.4, 14.7 / static_cast<double>(tree.size()));
   }
   double top() const { return y_of(0) + 0.5 * height_; }
   double y_of(Index node) const { return foot + height_ * (static_cast<double>(tree_.size() - node) - 0.5); }

@@ -51,9 +51,10 @@ struct LevelPicture {
 /// Pictures of surfaces; those in places of one size are in one scale.
 class LevelPictures {
  public:
-  /// first: the first level, where pictures of levels alone are close to it.
-  LevelPictures(const Words& words, const Subject& subject, const Control& first = {})
-      : words_(words), subject_(subject), extents_{extent_of(subject.mesh), extent_of(first)} {}
+  /// first: the first level, where pictures of levels alone are close to it. right: what is shown beside it.
+  LevelPictures(const Words& words, const Subject& subject, const Control& first = {},
+                const Control& right = {})
+      : words_(words), subject_(subject), extents_{extent_of(subject.mesh), extent_of(first, right)} {}
 
   /// Where a place of the surface is shown.
   dvec2 at(const LevelPicture& picture, dvec3 p) const { return panel(picture).at(subject_.reader.flat(p)); }
@@ -81,6 +82,14 @@ class LevelPictures {
  private:
   void add_headings(View& view, const LevelPicture& picture, std::string counts) const {
     const double middle = picture.place.centre().x, top = picture.place.upper.y;
+    if (picture.close && !counts.empty()) {  // so that the picture is as large as can be
+      view.add({picture.name() + " h", Role::boundary,
+                Text{{middle, top - 0.6},
+                     fmt::format("{}: {}", picture.heading, counts),
+                     Align::centre,
+                     picture.aside}});
+      return;
+    }
     view.add({picture.name() + " h", Role::boundary,
               Text{{middle, top - 0.6}, picture.heading, Align::centre, picture.aside}});
     if (counts.empty()) return;
@@ -89,11 +98,13 @@ class LevelPictures {
   }
   /// Below the heading.
   Panel panel(const LevelPicture& picture) const {
-    return Panel({picture.place.lower, picture.place.upper - dvec2{0, 2.8}}, extent_in(picture));
+    const dvec2 lines{0, picture.close ? 1.4 : 2.6};
+    return Panel({picture.place.lower, picture.place.upper - lines}, extent_in(picture));
   }
-  Extent extent_of(const Control& mesh) const {
+  Extent extent_of(const Control& mesh, const Control& other = {}) const {
     Extent extent;
     for (const dvec3 p : mesh.points) extent.add(subject_.reader.flat(p));
+    for (const dvec3 p : other.points) extent.add(subject_.reader.flat(p));
     return widened(extent, 0.02);
   }
   const Extent& extent_in(const LevelPicture& picture) const { return extents_[picture.close ? 1 : 0]; }

@@ -56,10 +56,10 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
         way_(way),
         levels_(std::move(levels)),
         weights_(weights),
-        pictures_(words, subject, levels_[1]),
+        right_(way == Way::always_four ? catmull_clark(subject.mesh, 1) : Control{}),
+        pictures_(words, subject, levels_[1], right_),
         star_(links, subject.vertex, star_centre, star_radius),
         star_faces_(faces_at(subject.mesh, subject.vertex)) {
-    if (way == Way::always_four) right_ = catmull_clark(subject.mesh, 1);
     background_ = outer_pictures();
   }
 
@@ -229,7 +229,7 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
   View level_picture(int k) const {
     View view;
     // Beside the right one the wrong one is as high as the paper
-    constexpr Extent wrong{{0.2, 0}, {23.2, 27}}, right{{23.6, 8}, {32, 27}};
+    constexpr Extent wrong{{0, 0}, {25.6, 27}}, right{{25.8, 4}, {36, 27}};
     const bool is_wrong = way_ == Way::always_four;
     const LevelPicture whole = level_picture_of("a", is_wrong ? wrong : large_places[0], k, false);
     add(view, whole, k);
@@ -369,10 +369,10 @@ class VertexStory : public Past<steps::Started, FacePointFound<double>, EdgePoin
   const Way way_;
   const std::vector<Control> levels_;
   const Weights& weights_;
+  const Control right_;  ///< the first level, where it is told wrong
   const LevelPictures pictures_;
   const StarDrawing star_;
   const std::vector<std::int32_t> star_faces_;
-  Control right_{};  ///< the first level, where it is told wrong
   View background_{};
 };
 
