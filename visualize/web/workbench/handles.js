@@ -72,7 +72,7 @@ function handlesOf({handles = []}) {
 }
 
 class HandleLayer {
-  /** host: {parameter(name), textSeen(parameter), numbers(), change(texts), commit()}, which hears of what is dragged. */
+  /** host: {parameter(name), textSeen(parameter), givenFor(parameter), numbers(), change(texts), commit()}, which hears of what is dragged. */
   constructor(player, host) {
     this.player = player;
     this.host = host;
@@ -210,13 +210,13 @@ class HandleLayer {
       this.place();
   }
 
-  /** What a handle moves, as it is now: {name, text, numbers, values, whole, along, normal}. */
+  /** What a handle moves, as it is now: {name, text, given, numbers, values, whole, along, normal}. given: what the text comes from. */
   standing({name, numbers: indices, along}) {
     const parameter = this.host.parameter(name), text = this.host.textSeen(parameter), all = this.numbers(name);
     const numbers = indices.map((index) => all[index]), isCorner = parameter.type === 'faces' && indices.length === 3;
     const normal = isCorner ? normalAt(text, all, indices[0]) : undefined;
     return {
-      name, text, numbers, normal, values: numbers.map(({value}) => value), whole: numbers[0].whole,
+      name, text, numbers, normal, given: this.host.givenFor(parameter), values: numbers.map(({value}) => value), whole: numbers[0].whole,
       along: normal ? keptWithin(along, normal) : along
     };
   }
@@ -224,18 +224,19 @@ class HandleLayer {
   stepOf([x, y], pixels, {cell} = this.player.drawing.at) {
     return roundStep(pixels / (cell * Math.max(Math.hypot(x, y), 1e-9)));
   }
-  /** The text as it stood, with these values; those that are what they were keep their spelling. */
-  apply({name, text, numbers, values, normal}, now) {
+  /** The text as it stood, with these values; those that are what they were keep their spelling, and where all are, what was given is. */
+  apply({name, text, given, numbers, values, normal}, now) {
     const written = normal ? inPlane(values, now, normal) : now;
-    const changed = withNumbers(text, written.flatMap((value, i) => (value === values[i] ? [] : [[numbers[i], value]])));
+    const changes = written.flatMap((value, i) => (value === values[i] ? [] : [[numbers[i], value]])), changed = withNumbers(text, changes);
     if (this.drag) {
       const {at, place, along} = this.drag, by = written.map((value, i) => Number(value) - values[i]);
       const go = (k) => along.reduce((sum, way, i) => sum + way[k] * by[i], 0) * at.cell;
       this.drag.seen = [place[0] + go(0), place[1] + (at.yUp ? -go(1) : go(1))];
     }
-    if (changed === this.host.textSeen(this.host.parameter(name))) return;
+    const isBack = changes.length === 0;
+    if (isBack ? !this.drag?.moved : changed === this.host.textSeen(this.host.parameter(name))) return;
     if (this.drag) this.drag.moved = true;
-    this.host.change({[name]: changed});
+    this.host.change(isBack ? given : {[name]: changed});
   }
 
   // -- Keys

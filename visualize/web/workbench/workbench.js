@@ -62,6 +62,11 @@ class Workbench {
     const seen = isGiven ? undefined : this.player.run?.trace.arguments.find(([known]) => known === name);
     return seen?.[1] ?? this.textOf(parameter);
   }
+  /** What is given for it and in its place: change() of that brings it back. */
+  givenFor(parameter) {
+    const {given} = this.state, others = this.inItsPlace(parameter).filter(({name}) => name in given);
+    return Object.fromEntries([[parameter.name, given[parameter.name] ?? ''], ...others.map(({name}) => [name, given[name]])]);
+  }
   numbers() { return numbersOfInput(this.parameters, (parameter) => this.textSeen(parameter)); }
 
   fillChoices() {
