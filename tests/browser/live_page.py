@@ -184,12 +184,23 @@ def every_topic(check, page):
         fields, questions = page.run('return [workbench.form.fields.size, questionsOf(player.run).size]')
         check.that(f'{topic}: there are fields', fields > 0)
         check.that(f'{topic}: it asks what comes next', questions > 0)
+        check.equal(f'{topic}: where one points is read, and moves nothing', page.run(POINT), [True, True])
         check.equal(f'{topic}: handles lead where they are dragged', page.run(NUDGE, EVERYTHING), [])
         wrong, bent[topic] = page.run(THERE_AND_BACK, EVERYTHING)
         check.equal(f'{topic}: a drag is counted from where it began', wrong, [])
     bending = {'viewing', 'illumination', 'back_face_culling'} & set(bent)
     check.that('their ways bend', bending <= {topic for topic in bent if bent[topic]}, bent)
     page.quiet('topics')
+
+
+# In the middle of the drawing: whether its place is read, or it has none, and whether the drawing is as large as before.
+POINT = '''const {drawing, readout} = player.parts, {at} = player.drawing, {left, top, width, height} = drawing.getBoundingClientRect();
+drawing.dispatchEvent(new PointerEvent("pointermove", {clientX: left + width / 2, clientY: top + height / 2, bubbles: true}));
+return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+  const read = Boolean(readout.textContent) === Boolean(toCell(at, width / 2, height / 2)), stays = player.drawing.at.cell === at.cell;
+  drawing.dispatchEvent(new PointerEvent("pointerleave"));
+  done([read, stays]);
+})));'''
 
 
 # Whether no fit of a panel, across and down, takes one way to the other: the directions of what goes across, or down, differ.
@@ -204,8 +215,8 @@ BENDS = '''const bends = (went, goes) => [0, 1].some((k) => {
 '''
 
 
-# Of each argument the last handle, or with GRADUS_STRESS each one, goes by 30 pixels or a cell to the right and up, or the other way, and stands there then, or nearer,
-# which is all that can be where its way bends.
+# Of each argument the last handle, or with GRADUS_STRESS each one, goes by 30 pixels or a cell along a diagonal, and stands there then, or nearer,
+# which is all that can be where its way bends. From a corner of its window one of the four leads inwards.
 NUDGE = BENDS + '''return (async () => {
   const wrong = [], layer = workbench.handles;
   const one = new Map(layer.handles.map((handle) => [handle.name, handle]));
@@ -215,7 +226,7 @@ NUDGE = BENDS + '''return (async () => {
     const given = JSON.stringify(workbench.state.given);
     let tries = [];
     const wholly = layer.numbers(handle().name)[handle().numbers[0]].whole, {cell} = player.drawing.at;
-    for (const [px, py] of wholly ? [[cell, cell], [-cell, -cell]] : [[30, 20], [-30, -20]]) {
+    for (const [px, py] of wholly ? [[cell, cell], [-cell, -cell], [cell, -cell], [-cell, cell]] : [[30, 20], [-30, -20], [30, -20], [-30, 20]]) {
       const {at} = player.drawing, from = toPixels(at, handle().at.x, handle().at.y), text = workbench.textOf(workbench.parameter(handle().name));
       layer.take(handle());
       const {along, went} = layer.drag;
