@@ -155,8 +155,19 @@ class RayStory : public Past<steps::Started, LeafHit<double>, NodeMerged<double>
   RayDrawing drawing_;
 };
 
+/// A ray may be too short for its section, too: its bars would have no place there.
+void require_length(const Subject& subject, const Section& section) {
+  const Extent shown = section.panel().shown();
+  const dvec2 far = glm::max(glm::abs(shown.lower), glm::abs(shown.upper));
+  const double reach = std::max(far.x, far.y), length = subject.ray().last;
+  if (!can_be_told_apart(reach, reach + length))
+    refuse("ray", "expected two points that lie apart in a drawing as large as {}, found {} between them",
+           figure_real(reach), figure_real(length));
+}
+
 void set_up(Narrator& narrator, const Subject& subject, const Section& section) {
   require_scale(section.panel(), narrator.arguments(), {"ray"});
+  require_length(subject, section);
   narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle",
                     {{"shape", narrator.words().say("shape." + narrator.arguments().text("shape"))},

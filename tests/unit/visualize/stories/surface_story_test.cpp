@@ -107,6 +107,21 @@ struct Square {
   }
 };
 
+TEST(SolidStory, ARayTooShortForItsSectionIsRefused) {
+  for (const char* method : {"along_ray", "exchanged", "cracked", "edit"}) {
+    std::string said;
+    try {
+      test::trace_of("csg_tree",
+                     {{"method", method}, {"ray", "-0.0869,-0.0869 -0.08689999999999999,-0.0869"}});
+    } catch (const ArgumentError& refusal) {
+      said = refusal.parameter + ": " + refusal.what();
+    }
+    EXPECT_THAT(said,
+                testing::StartsWith("ray: expected two points that lie apart in a drawing as large as "))
+        << method;
+  }
+}
+
 TEST(RenderedSurface, FacesThatStandOutAreLighter) {
   Square square;
   const std::array<std::int32_t, 1> marked{5};
