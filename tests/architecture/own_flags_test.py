@@ -27,7 +27,7 @@ SECONDS = 60
 # In the ordinary build; wherever it is computed, it has the same bits
 ELEMENTARY = "elementary d6dfd6fcae6dac6e\n"
 
-INTEGER_TOPICS = {"bresenham_circle", "bresenham_line", "flood_fill"}  # right whatever is done to fractions
+INTEGER_TOPICS = {"bresenham_circle", "bresenham_line", "flood_fill", "mesh_structures"}  # right whatever is done to fractions
 FAST_MATH = "Gradus needs the arithmetic of IEEE 754"
 NOT_EXACT = ("-ffast-math", "-Ofast", "-ffinite-math-only")
 NOT_EXACT_GCC = ("-funsafe-math-optimizations", "-freciprocal-math", "-fno-signed-zeros")
