@@ -162,7 +162,7 @@ void require_length(const Subject& subject, const Section& section) {
   const double reach = std::max(far.x, far.y), length = subject.ray().last;
   if (!can_be_told_apart(reach, reach + length))
     refuse("ray", "expected two points that lie apart in a drawing as large as {}, found {} between them",
-           figure_real(reach), figure_real(length));
+           reach, length);
 }
 
 void set_up(Narrator& narrator, const Subject& subject, const Section& section) {
