@@ -44,7 +44,7 @@ class Bootstrap(unittest.TestCase):
                                   stdin=subprocess.DEVNULL, cwd="/")
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertEqual(done.stderr, "bootstrap: test: expected --all, or --all= and one of asan, clang, tsan, promises, "
-                                          f"bench, found '{word}'\n")
+                                          f"scripts, bench, found '{word}'\n")
 
 
 if __name__ == "__main__":
