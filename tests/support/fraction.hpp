@@ -9,6 +9,7 @@
 #include <compare>
 #include <concepts>
 #include <cstdint>
+#include <stdexcept>
 
 namespace gradus::test {
 
@@ -18,9 +19,10 @@ class Fraction {
   using Integer = boost::multiprecision::cpp_int;
 
   Fraction(int x = 0) : above_(x) {}
-  /// Domain: finite.
+  /// Domain: finite; what is not throws.
   template <std::floating_point T>
   Fraction(T x) {
+    if (!std::isfinite(x)) throw std::domain_error("a number that is not finite is no fraction");
     if (x == 0) return;
     auto digits = static_cast<std::int64_t>(std::ldexp(std::frexp(double{x}, &exponent_), 53));
     const int zeros = std::countr_zero(static_cast<std::uint64_t>(digits));

@@ -222,7 +222,9 @@ TEST(HardBounds, DepthsOfPlanes) {
     };
     const dvec2 first = side(0, 1), second = side(0, 2);
     const double longest = std::max({glm::length(first), glm::length(second), glm::length(side(1, 2))}),
-                 height = std::abs(first.x * second.y - first.y * second.x) / longest;
+                 height = std::abs(first.x * second.y - first.y * second.x) / longest,
+                 bound = 0x1p-50 * (1 + gain) / height;
+    if (!std::isfinite(bound)) return not_in_domain;  // edge-on, but for roundings: nothing is promised
     double most = 0;
     for (const glm::dvec4& p : places) {
       const Fraction w = p.w, half_grid = grid / 2;
@@ -230,7 +232,7 @@ TEST(HardBounds, DepthsOfPlanes) {
                      y = (Fraction(1) - Fraction(p.y) / w) * half_grid * Fraction(size.height);
       const Fraction found = Fraction(plane->depth) + Fraction(plane->right) * (x - Fraction(plane->from.x)) +
                              Fraction(plane->down) * (y - Fraction(plane->from.y));
-      most = std::max(most, off(found, Fraction(p.z) / w, 0x1p-50 * (1 + gain) / height));
+      most = std::max(most, off(found, Fraction(p.z) / w, bound));
     }
     return most;
   };
