@@ -18,6 +18,7 @@
 
 #include "figure/listing/pseudocode.hpp"
 #include "support/example_traces.hpp"
+#include "support/sanitized.hpp"
 
 namespace gradus {
 namespace {
@@ -125,8 +126,10 @@ std::vector<std::map<std::string, std::string>> runs_with_options(const TopicEnt
 
 TEST(ListingForm, IsThatOfATextbook) {
   std::set<std::string> judged, of_methods;
+  int next = 0;
   for (const TopicEntry* entry : catalogue()) {
     for (const auto& given : runs_with_options(*entry)) {
+      if (test::sanitized && next++ % 4 != 0) continue;  // golden/trace_hash runs them there
       SCOPED_TRACE(fmt::format("{} {}", entry->name, fmt::join(given, " ")));
       const auto trace = trace_if_any(*entry, given);
       if (!trace) continue;
