@@ -18,8 +18,7 @@ int main() {
   using namespace gradus;
   using namespace gradus::poisson_disc;
 
-  // The samples alone, in a tile
-  const poisson_disc::Area tile{{1, 1}, true};
+  // The samples alone, in a tile 1 wide
   std::vector<dvec2> samples;
   bridson(tile, 0.1, 30, Random(1), [&](dvec2 p) { samples.push_back(p); });
   fmt::print("{} samples, the nearest two {:.4f} apart\n", samples.size(), least_distance(tile, samples));
