@@ -193,7 +193,7 @@ def every_topic(check, page):
     page.quiet('topics')
 
 
-# In the middle of the drawing: whether its place is read, or it has none, and whether the drawing is as large as before.
+# In the middle of the drawing: whether its place is read where it is one of a cell, and whether the drawing is as large as before.
 POINT = '''const {drawing, readout} = player.parts, {at} = player.drawing, {left, top, width, height} = drawing.getBoundingClientRect();
 drawing.dispatchEvent(new PointerEvent("pointermove", {clientX: left + width / 2, clientY: top + height / 2, bubbles: true}));
 return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
