@@ -84,7 +84,7 @@ void opensubdiv(int levels, std::vector<Theirs>& last) {
 
 std::vector<Case> cases() {
   std::vector<Case> all;
-  for (const int levels : {2, 3, 4, 5, 6, 7}) {
+  for (const int levels : {2, 3, 4, 5, 6, 7, 8}) {
     all.push_back(case_of("catmull_clark", Standing::taught, levels,
                           [levels](Mesh& last) { last = catmull_clark(control(), levels); }));
     all.push_back(case_of("catmull_clark_batch", Standing::batch, levels,
