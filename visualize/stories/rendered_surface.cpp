@@ -54,7 +54,12 @@ class SurfacePicture {
   }
 
   std::shared_ptr<const Image> picture() {
-    for (std::size_t f = 0; f < faces_.size(); ++f) draw(f);
+    // What faces turned to the reader cover gets no light from those behind: a depth is cheaper than a light
+    for (const bool away : {false, true}) {
+      for (std::size_t f = 0; f < faces_.size(); ++f) {
+        if ((area_of(f).z < 0) == away) draw(f);
+      }
+    }
     Image image(samples_.width() / fine, samples_.height() / fine);
     for (int y = 0; y < image.height(); ++y) {
       for (int x = 0; x < image.width(); ++x)
