@@ -266,6 +266,8 @@ std::vector<Row> table() {
       {"kd_tree", "middles", {{"method", "build"}}, is_in_order},
       {"csg_tree", "lengths", {}, is_in_order},
       {"csg_tree", "sides", {{"method", "membership"}}, is_in_order},
+      {"fractal_curve", "tips", {}, is_in_order},
+      {"fractal_curve", "segments", {{"shape", "curve"}}, is_in_order},
       {"back_face_culling", "signs", {}, are_the_signs_of_a_cube},
       {"painter",
        "order",
