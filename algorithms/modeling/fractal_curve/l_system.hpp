@@ -126,6 +126,13 @@ inline std::int64_t length_after(std::string_view text, Rules rules, int rounds,
   return sum;
 }
 
+inline void expect_rounds(std::string_view text, Rules rules, int rounds) {
+  constexpr int most_rounds = 24;
+  expects(0 <= rounds && rounds <= most_rounds, "at most {} rounds, not {}", most_rounds, rounds);
+  expects(length_after(text, rules, rounds, most_symbols + 1) <= most_symbols,
+          "at most 2^24 symbols of ASCII in the end, not {} rounds from {}", rounds, text.size());
+}
+
 /// Replaces all symbols of a text at once by their rules, so many rounds: new symbols wait for the next one.
 /// Source: A. Lindenmayer, Mathematical models for cellular interactions in development, 1968;
 /// P. Prusinkiewicz and A. Lindenmayer, The algorithmic beauty of plants, 1990, section 1.2.
@@ -139,10 +146,7 @@ inline std::int64_t length_after(std::string_view text, Rules rules, int rounds,
 /// Errors: ContractViolation outside the domain, before any memory is taken.
 template <Observer<SymbolReplaced, GenerationDone, TextFinished> O = Unobserved>
 std::string rewrite(std::string text, Rules rules, int rounds, O&& observer = {}) {
-  constexpr int most_rounds = 24;
-  expects(0 <= rounds && rounds <= most_rounds, "at most {} rounds, not {}", most_rounds, rounds);
-  expects(length_after(text, rules, rounds, most_symbols + 1) <= most_symbols,
-          "at most 2^24 symbols of ASCII in the end, not {} rounds from {}", rounds, text.size());
+  expect_rounds(text, rules, rounds);
   for (int g = 0; g < rounds; ++g) {
     std::string next;
     for (const char& s : text) {

@@ -229,6 +229,7 @@ TEST(FractalCurve, MeasuredDimensionIsAsThePageSays) {
       page, "the curve meets {}, {}, {} and {} boxes",
       {double(counts[0].boxes), double(counts[1].boxes), double(counts[2].boxes), double(counts[3].boxes)}));
   EXPECT_TRUE(test::states(page, "the slope {} with a standard error of {}", {fit.slope, fit.error}));
+  EXPECT_TRUE(test::states(page, "beside log 4 / log 3 = {}", {similarity_dimension(4, 3)}));
 }
 
 TEST(FractalCurve, BoxesSmallerThanSegmentsMeasureALine) {

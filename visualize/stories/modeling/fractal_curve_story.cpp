@@ -45,6 +45,7 @@ void tell_koch(Narrator& narrator) {
                    {Role::past, "before"},
                    {Role::rejected, "old"},
                    {Role::current, "parts"},
+                   {Role::accepted, "so_far"},
                    {Role::result, "after"}});
   if (inward) narrator.add_to_legend(Role::candidate, "right");
   KochStory story(narrator.words(), subject, panel);
@@ -97,6 +98,7 @@ void tell_rewrite(Narrator& narrator) {
   narrator.legend({{Role::past, "text"},
                    {Role::current, "symbol"},
                    {Role::measure, "becomes"},
+                   {Role::accepted, "so_far"},
                    {Role::result, "new_text"}});
   RewriteStory story(narrator.words(), subject);
   const auto watch = narrator.watcher(story);
@@ -122,6 +124,7 @@ void tell_turtle(Narrator& narrator) {
   narrator.legend({{Role::past, "to_come"},
                    {Role::current, "turtle"},
                    {Role::measure, "looks"},
+                   {Role::accepted, "so_far"},
                    {Role::result, "drawn"}});
   TurtleStory story(subject);
   const auto watch = narrator.watcher(story);

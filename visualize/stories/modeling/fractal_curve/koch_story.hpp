@@ -18,15 +18,18 @@ class KochStory : public Past<steps::Started, Replaced, LevelDone, Finished> {
   Event say(const Replaced& r) const {
     const Way way = places(r);
     const dvec2 tip = way[2];
-    return {.text = subject_.inward ? "replaced.inside" : "replaced",
-            .facts = {{"level", r.level},
-                      {"segment", static_cast<std::int64_t>(r.segment)},
-                      {"x", tip.x},
-                      {"y", tip.y}},
-            .words = {{"a", way[0]}, {"b", way[1]}, {"c", tip}, {"d", way[3]}, {"e", way[4]}},
-            .key = fmt::format("{}.{}", r.level, r.segment + 1),
-            .phase = phase(r.level),
-            .decides = where_is_the_tip(r, tip)};
+    Event event{.text = subject_.inward ? "replaced.inside" : "replaced",
+                .facts = {{"level", r.level},
+                          {"segment", static_cast<std::int64_t>(r.segment)},
+                          {"x", tip.x},
+                          {"y", tip.y}},
+                .words = {{"a", way[0]}, {"b", way[1]}, {"c", tip}, {"d", way[3]}, {"e", way[4]}},
+                .key = fmt::format("{}.{}", r.level, r.segment + 1),
+                .phase = phase(r.level),
+                .decides = where_is_the_tip(r, tip)};
+    // The level's row counts the segments until it is complete
+    (r.segment == 0 ? event.row : event.read) = {r.level, 4 * (r.segment + 1)};
+    return event;
   }
   Event say(const LevelDone& d) const {
     const std::int64_t whole = power(9, d.level), before = subject_.segments(d.level - 1);
@@ -107,7 +110,7 @@ class KochStory : public Past<steps::Started, Replaced, LevelDone, Finished> {
   void add_replaced(View& view, const Replaced& r) const {
     Way done = subject_.way(r.level);
     done.resize(4 * r.segment + 1);
-    if (done.size() > 1) add(view, "c after", Role::result, done);
+    if (done.size() > 1) add(view, "c so far", Role::accepted, done);
     const Way way = places(r);
     view.add({"d old", Role::rejected, Stroke{panel_.at(way[0]), panel_.at(way[4])}});
     add(view, "e parts", Role::current, way);

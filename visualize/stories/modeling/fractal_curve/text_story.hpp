@@ -101,6 +101,13 @@ inline void add_steps(View& view, const std::string& id, Role role, const Panel&
   finish();
 }
 
+/// Whether a walk is much wider than it is high.
+inline bool is_wide(const Walked& walk) {
+  Extent extent;
+  for (const Drawn& step : walk.steps) extent.add(step.from), extent.add(step.to);
+  return !walk.steps.empty() && extent.size().x > 2.5 * extent.size().y;
+}
+
 inline Panel panel_of(const Walked& walk, const Extent& place) {
   Extent extent;
   extent.add({0, 0});
@@ -128,7 +135,7 @@ class RewriteStory : public Past<steps::Started, SymbolReplaced, GenerationDone,
   }
   Event say(const SymbolReplaced& s) const {
     const std::string symbol = shown({&s.symbol, 1}), to = shown(s.to);
-    return {.text = subject_.in_turn ? "symbol_replaced.in_turn" : "symbol_replaced",
+    return {.text = is_wrong(s) ? "symbol_replaced.in_turn" : "symbol_replaced",
             .facts = {{"generation", s.generation}, {"symbol", std::string(1, s.symbol)}, {"to", s.to}},
             .words = {{"symbol", symbol}, {"number", s.at + 1}, {"becomes", to}},
             .key = fmt::format("{}.{}", s.generation, s.at + 1),
@@ -153,7 +160,7 @@ class RewriteStory : public Past<steps::Started, SymbolReplaced, GenerationDone,
   double tells(const auto& step) const {
     if constexpr (std::same_as<std::decay_t<decltype(step)>, SymbolReplaced>) {
       const bool half = 2 * step.at >= text(step.generation - 1).size();
-      return step.generation + (half ? 0.5 : 0);
+      return step.generation + (half ? 0.25 : 0) + (is_wrong(step) ? 0.5 : 0);
     }
     return 0;
   }
@@ -196,27 +203,35 @@ class RewriteStory : public Past<steps::Started, SymbolReplaced, GenerationDone,
     const std::string given = shown(s.to);
     if (std::ranges::find(answers, given) == answers.end()) answers.push_back(given);
     const auto answer = std::ranges::find(answers, given) - answers.begin();
-    return {
-        words_.say("question.becomes", {{"symbol", answers[answers.size() - (subject_.in_turn ? 2 : 1)]}}),
-        answers, static_cast<std::size_t>(answer), subject_.in_turn ? "in turn" : "by its rule"};
+    return {words_.say("question.becomes", {{"symbol", shown({&s.symbol, 1})}}), answers,
+            static_cast<std::size_t>(answer), is_wrong(s) ? "in turn" : "by its rule"};
   }
+  /// More than one rule was applied.
+  bool is_wrong(const SymbolReplaced& s) const { return s.to != by(subject_.system.rules, s.symbol); }
   void add_replaced(View& view, const SymbolReplaced& s) const {
     const Index end = s.begins + s.to.size();
     const TextLine before(text(s.generation - 1), upper_line, s.at);
     const TextLine after(std::string_view(text(s.generation)).substr(0, end), lower_line, end);
     before.add_to(view, "a before", [&](Index i) { return i == s.at ? Role::current : Role::past; });
-    after.add_to(view, "b after", [&](Index i) { return i < s.begins ? Role::result : Role::current; });
+    after.add_to(view, "b after", [&](Index i) { return i < s.begins ? Role::accepted : Role::current; });
     // From the symbol down to the first and the last of what it becomes
     const dvec2 from = before.at(s.at) - dvec2{0, 0.9};
     view.add(
         {"c first", Role::measure, Stroke{from, after.at(s.begins) + dvec2{0, 0.9}, false, false, true}});
     view.add({"c last", Role::measure, Stroke{from, after.at(end - 1) + dvec2{0, 0.9}, false, false, true}});
-    add_walk(view, "d before", s.generation - 1, {{1.5, 1.2}, {17, 17.6}}, Role::past, s.at, s.at + 1,
+    const std::array<Extent, 2> places = places_of(walk(s.generation));
+    add_walk(view, "d before", s.generation - 1, places[0], Role::past, s.at, s.at + 1,
              text(s.generation - 1).size());
-    add_walk(view, "e after", s.generation, {{19, 1.2}, {34.5, 17.6}}, Role::result, s.begins, end, end);
-    for (const int which : {0, 1})
+    add_walk(view, "e after", s.generation, places[1], Role::accepted, s.begins, end, end);
+    for (const Index which : {Index{0}, Index{1}})
       view.add({fmt::format("f heading {}", which), Role::guide,
-                Text{{which == 0 ? 9.25 : 26.75, 19.2}, phase(s.generation - 1 + which)}});
+                Text{{places[which].centre().x, places[which].upper.y + 1.3},
+                     phase(s.generation - 1 + static_cast<int>(which))}});
+  }
+  /// Beside each other, or what is wide one above the other.
+  static std::array<Extent, 2> places_of(const Walked& after) {
+    if (is_wide(after)) return {Extent{{3, 11.4}, {33, 18}}, Extent{{3, 1.2}, {33, 8.6}}};
+    return {Extent{{1.5, 1.2}, {17, 17.6}}, Extent{{19, 1.2}, {34.5, 17.6}}};
   }
   /// What the symbols up to `end` draw, those at hand in the light; where they draw nothing, the turtle.
   void add_walk(View& view, const std::string& id, int generation, const Extent& place, Role role,
@@ -293,11 +308,12 @@ class TurtleStory : public Past<steps::Started, SymbolRead<dvec2>, WalkFinished>
     View view;
     const auto* r = now<SymbolRead<dvec2>>();
     const Index read = now<WalkFinished>() ? text_.size() : r ? r->at : 0;
+    const Role so_far = r ? Role::accepted : Role::result;
     TextLine(text_, upper_line, read).add_to(view, "a text", [&](Index i) {
-      return r && i == r->at ? Role::current : i < read ? Role::result : Role::past;
+      return r && i == r->at ? Role::current : i >= read ? Role::past : so_far;
     });
     add_steps(view, "b to come", Role::past, panel_, all_.steps, read, text_.size());
-    add_steps(view, "c drawn", Role::result, panel_, all_.steps, 0, read);
+    add_steps(view, "c drawn", so_far, panel_, all_.steps, 0, read);
     if (r) add_turtle(view, *r);
     return view;
   }
