@@ -38,7 +38,8 @@ inline constexpr System koch_system{"F", {{{'F', "F+F--F+F"}}}, 60};
 inline constexpr System dragon_system{"F", {{{'F', "F+G"}, {'G', "F-G"}}}, 90};
 inline constexpr System hilbert_system{"A", {{{'A', "+BF-AFA-FB+"}, {'B', "-AF+BFB+FA-"}}}, 90};
 inline constexpr System arrowhead_system{"F", {{{'F', "G-F-G"}, {'G', "F+G+F"}}}, 60};
-inline constexpr System plant_system{"X", {{{'X', "F+[[X]-X]-F[-FX]+X"}, {'F', "FF"}}}, 25};
+/// Grows upwards: four turns to the left come before it. The Algorithmic Beauty of Plants, figure 1.24f.
+inline constexpr System plant_system{"++++X", {{{'X', "F-[[X]+X]+F[+FX]-X"}, {'F', "FF"}}}, 22.5};
 
 /// As many symbols as one may ask for.
 inline constexpr std::int64_t most_symbols = std::int64_t{1} << 24;
@@ -126,7 +127,7 @@ inline std::int64_t length_after(std::string_view text, Rules rules, int rounds,
   return sum;
 }
 
-inline void expect_rounds(std::string_view text, Rules rules, int rounds) {
+inline void expect_size(std::string_view text, Rules rules, int rounds) {
   constexpr int most_rounds = 24;
   expects(0 <= rounds && rounds <= most_rounds, "at most {} rounds, not {}", most_rounds, rounds);
   expects(length_after(text, rules, rounds, most_symbols + 1) <= most_symbols,
@@ -146,11 +147,11 @@ inline void expect_rounds(std::string_view text, Rules rules, int rounds) {
 /// Errors: ContractViolation outside the domain, before any memory is taken.
 template <Observer<SymbolReplaced, GenerationDone, TextFinished> O = Unobserved>
 std::string rewrite(std::string text, Rules rules, int rounds, O&& observer = {}) {
-  expect_rounds(text, rules, rounds);
+  expect_size(text, rules, rounds);
   for (int g = 0; g < rounds; ++g) {
     std::string next;
     for (const char& s : text) {
-      // New symbols wait in `next`
+      // New symbols wait in next
       auto to = by(rules, s);
       next += to;
       if constexpr (observed<O>) observer(replaced(g + 1, text, s, next, to));
@@ -183,6 +184,11 @@ constexpr Index lonely_bracket(std::string_view text) {
   return text.size();
 }
 
+constexpr void expect_pairs(std::string_view text) {
+  const Index lonely = lonely_bracket(text);
+  expects(lonely == text.size(), "symbol {} is a bracket without its other half", lonely);
+}
+
 template <class P>
 void push(std::vector<Stand<P>>& kept, const Stand<P>& stand) {
   kept.push_back(stand);
@@ -210,8 +216,7 @@ Stand<P> pop(std::vector<Stand<P>>& kept) {
 /// Errors: ContractViolation outside the domain.
 template <class P, class Way, class Draw, Observer<SymbolRead<P>, WalkFinished> O = Unobserved>
 void turtle(std::string_view text, Way&& way, Draw&& draw, O&& observer = {}) {
-  const Index lonely = lonely_bracket(text);
-  expects(lonely == text.size(), "symbol {} is a bracket without its other half", lonely);
+  expect_pairs(text);
   std::vector<Stand<P>> kept;
   Stand<P> now;
   for (const char& s : text) {

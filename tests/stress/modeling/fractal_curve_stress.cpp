@@ -192,10 +192,11 @@ double walked_error(const Input& i) {
   std::vector<Corner> exact;
   turtle<Corner>(text, lattice_way, [&](Corner, Corner to) { exact.push_back(to); });
   const ExactScope scope;
-  static const Exact root_of_3 = [] {
-    const Integer root = boost::multiprecision::sqrt(Integer(3) << 100);  // 51 bits
-    return Exact(root.convert_to<std::int64_t>()) * Exact(0x1p-50);
-  }();
+  // Of 101 bits, in two parts
+  static const Integer root = boost::multiprecision::sqrt(Integer(3) << 200);
+  const Integer upper = root >> 50, lower = root - (upper << 50);
+  const Exact root_of_3 = Exact(upper.convert_to<std::int64_t>()) * Exact(0x1p-50) +
+                          Exact(lower.convert_to<std::int64_t>()) * Exact(0x1p-100);
   double most = 0, largest = 1;
   Index n = 0;
   turtle<dvec2>(
