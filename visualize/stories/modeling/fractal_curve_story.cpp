@@ -184,7 +184,7 @@ const TopicEntry& entry() {
                     .tell = tell_turtle,
                     .file = "l_system.hpp",
                     .unread = of_text,
-                    .opening = {{"system", "plant"}}},
+                    .opening = {{"system", "plant"}, {"level", "3"}}},
                    {.name = "box_count",
                     .tell = tell_boxes,
                     .file = "box_count.hpp",

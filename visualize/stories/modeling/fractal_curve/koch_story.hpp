@@ -33,7 +33,7 @@ class KochStory : public Past<steps::Started, Replaced, LevelDone, Finished> {
   }
   Event say(const LevelDone& d) const {
     const std::int64_t whole = power(9, d.level), before = subject_.segments(d.level - 1);
-    return {
+    Event event{
         .text = "level_done",
         .facts = {{"level", d.level},
                   {"segments", d.segments},
@@ -41,9 +41,10 @@ class KochStory : public Past<steps::Started, Replaced, LevelDone, Finished> {
                   {"area", static_cast<double>(d.triangles) / static_cast<double>(whole)}},
         .words = {{"before", before}, {"factor", length(d.level)}, {"part", fraction_of(d.triangles, whole)}},
         .note = words_.say("note.segments", {{"before", before}, {"segments", d.segments}}),
-        .row = row(d.level, d.triangles),
         .key = fmt::format("{}", d.level),
         .phase = phase(d.level)};
+    (subject_.tells_segments(d.level) ? event.read : event.row) = row(d.level, d.triangles);
+    return event;
   }
   Event say(const Finished& f) const {
     return {.text = subject_.inward     ? "finished.inside"

@@ -52,12 +52,13 @@ inline Walked walked(const TextSubject& subject, const std::string& text) {
   return all;
 }
 
-/// One line of symbols, each at a place of its own; of long texts the part round one of them.
+/// One line of symbols, each at a place of its own; of long texts the part round one of them, so much apart
+/// that signs keep their places beside another drawing.
 class TextLine {
  public:
   TextLine(std::string_view text, double y, Index round) : text_(text), y_(y) {
-    count_ = std::min(text.size(), most);
-    if (text.size() > most) first_ = std::min(round - std::min(round, most / 2), text.size() - most);
+    count_ = text.size() <= most ? text.size() : part;
+    first_ = std::min(round - std::min(round, count_ / 2), text.size() - count_);
     apart_ = std::min(1.2, 33.4 / static_cast<double>(std::max<Index>(count_, 1)));
   }
 
@@ -75,7 +76,7 @@ class TextLine {
   }
 
  private:
-  static constexpr Index most = 36;
+  static constexpr Index most = 36, part = 28;
 
   std::string_view text_;
   double y_, apart_ = 1;
@@ -159,8 +160,9 @@ class RewriteStory : public Past<steps::Started, SymbolReplaced, GenerationDone,
   /// A symbol in the middle of the last generation that is told.
   double tells(const auto& step) const {
     if constexpr (std::same_as<std::decay_t<decltype(step)>, SymbolReplaced>) {
-      const bool half = 2 * step.at >= text(step.generation - 1).size();
-      return step.generation + (half ? 0.25 : 0) + (is_wrong(step) ? 0.5 : 0);
+      const Index size = text(step.generation - 1).size();
+      const double far = static_cast<double>(step.at) / static_cast<double>(size);
+      return step.generation + (is_wrong(step) ? 0.5 + far / 2 : 2 * step.at >= size ? 0.25 : 0);
     }
     return 0;
   }
@@ -295,10 +297,11 @@ class TurtleStory : public Past<steps::Started, SymbolRead<dvec2>, WalkFinished>
             .ends = true};
   }
 
-  /// The first bracket that brings the turtle back, or a step in the middle.
+  /// The bracket that brings the turtle back furthest, or a step in the middle.
   double tells(const auto& step) const {
     if constexpr (std::same_as<std::decay_t<decltype(step)>, SymbolRead<dvec2>>) {
-      if (step.symbol == ']') return step.now.at != step.from ? 2 : 0;
+      const double back = length_between(step.from, step.now.at);
+      if (step.symbol == ']') return back > 0 ? 1 + back : 0;
       return draws(step.symbol) && 2 * step.at >= text_.size() ? 1 : 0;
     }
     return 0;
