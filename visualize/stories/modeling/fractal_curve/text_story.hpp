@@ -335,10 +335,13 @@ class TurtleStory : public Past<steps::Started, SymbolRead<dvec2>, WalkFinished>
   void add_turtle(View& view, const SymbolRead<dvec2>& r) const {
     const dvec2 from = panel_.at(r.from), at = panel_.at(r.now.at);
     if (draws(r.symbol)) view.add({"d step", Role::current, Stroke{from, at, true}});
-    if (r.symbol == ']' && from != at) view.add({"d back", Role::measure, Stroke{from, at, true, true}});
     const dvec2 way = plane_way(r.now.turns, subject_.system.degrees);
     constexpr double long_enough = 2;
-    view.add({"e looks", Role::measure, Stroke{at, at + long_enough * way, true}});
+    // It looks much the way that it comes back: one arrow of the two
+    if (r.symbol == ']' && from != at)
+      view.add({"d back", Role::measure, Stroke{from, at, true, true}});
+    else
+      view.add({"e looks", Role::measure, Stroke{at, at + long_enough * way, true}});
     view.add({"f turtle", Role::current, Dot{at}});
   }
 
