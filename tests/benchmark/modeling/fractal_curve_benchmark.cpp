@@ -95,7 +95,7 @@ std::vector<Case> cases() {
   std::vector<Case> all;
   for (const int level : {2, 4, 6, 8}) {
     all.push_back(case_of("koch", Standing::taught, level, by_lattice));
-    all.push_back(case_of("turtle", Standing::robust, level, by_turtle));
+    all.push_back(case_of("turtle", Standing::taught, level, by_turtle));
     all.push_back(case_of("matrices", Standing::peer, level, by_matrices));
     all.push_back(case_of("angles", Standing::peer, level, by_angles));
   }
