@@ -264,6 +264,7 @@ std::vector<Row> table() {
       {"parametric_surface", "rows", {{"method", "patches"}}, is_in_order},
       {"kd_tree", "points", {{"query", "6,9"}}, is_in_order},
       {"kd_tree", "middles", {{"method", "build"}}, is_in_order},
+      {"point_cloud", "points", {{"method", "back_project"}}, is_in_order},
       {"csg_tree", "lengths", {}, is_in_order},
       {"csg_tree", "sides", {{"method", "membership"}}, is_in_order},
       {"fractal_curve", "tips", {}, is_in_order},
