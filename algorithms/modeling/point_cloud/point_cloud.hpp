@@ -276,10 +276,10 @@ void expect_eye(const Place<T>& eye) {
 ///
 /// Domain: coordinates, the eye's too, as for kd_tree::build; k >= 1.
 ///   No normal, of length 0 and with the shape's name, for neighbours in one place, in a line, or whose two
-///   lesser variances differ by no more than roundings could make; so always below three places.
+///   lesser variances differ by no more than roundings could make; among them all of fewer than three places.
 /// Steps: Gathered Centred Fitted Turned?; no Turned without a normal.
 /// Accuracy: n has a variance whose exact residual |C n - l n| is within (2 k + 64) u of the trace of the
-///   exact covariance C, and l is its least eigenvalue but for as much; so the angle's sine is within as much
+///   exact covariance C, and l is its least eigenvalue but for as much. The angle's sine is within as much
 ///   over the gap to the next variance. Exact for neighbours in a plane across an axis. Of equally near
 ///   neighbours those of smaller indices count. Neither the cloud's size nor where it lies matters, as far as
 ///   coordinates and the squares of distances are not rounded away. u = 2^-53 in double.
@@ -359,8 +359,8 @@ void expect_camera(const Pinhole<T>& camera) {
 /// Domain: up to 2^15 columns and rows, a centre up to 2^15 pixels from the first one; depths that are not 0,
 ///   and the focal length, from 2^-400 to 2^400 in double, 2^-40 to 2^40 in float.
 /// Steps: (BackProjected | Hole) for each pixel, Finished.
-/// Accuracy: z is exact. project gives each point's own pixel again, exactly: from i + 1/2 it comes back
-///   within 0.05 of a pixel, where 1/2 would be needed to leave it.
+/// Accuracy: z is exact. project gives each point's own pixel again, exactly: i + 1/2 comes back moved by the
+///   roundings of a few operations, where half a pixel would be needed to leave it.
 /// Cost: two products and two quotients for each pixel.
 /// Errors: ContractViolation outside the domain.
 template <std::floating_point T, Observer<BackProjected<T>, Hole, Finished> O = Unobserved>

@@ -241,7 +241,7 @@ Domain point_cloud() {
       {{.name = "normals",
         .states =
             "neighbours are those of brute force, and a normal's exact residual within (2 k + 64) u of the "
-            "covariance's trace, squared; or it has none, with a reason",
+            "covariance's trace, squared; or there is none, with a reason",
         .unit = "of the bound",
         .bound = 1,
         .numbers = numbers_of_cloud,

@@ -96,6 +96,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
             .facts = {{"neighbours", std::ssize(g.near)}, {"distances", whole_.distances}},
             .words = {{"far", std::sqrt(g.near.back().distance)}, {"points", subject_.points.size()}},
             .count = std::ssize(g.near),
+            .note = words_.say("effect.gathered", {{"far", short_real(std::sqrt(g.near.back().distance))}}),
             .row = {words_.say("row.far"), short_real(std::sqrt(g.near.back().distance))},
             .key = "neighbours",
             .phase = words_.say("phase.near")};
@@ -119,6 +120,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
                       {"middle", figure_real(f.variance[1])},
                       {"most", figure_real(f.variance[2])},
                       {"part", percent(variation(f))}},
+            .note = fmt::format("λ₀: {} %", percent(variation(f))),
             .row = {"λ₀", figure_real(f.variance[0])},
             .key = "λ",
             .phase = words_.say("phase.spread"),
@@ -134,6 +136,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
                 .words = {{"before", short_place(before)},
                           {"normal", short_place(t.normal)},
                           {"along", short_real(along)}},
+                .note = words_.say(t.turned ? "effect.turned" : "effect.kept"),
                 .row = {"n", short_place(t.normal)},
                 .key = "n",
                 .phase = words_.say("phase.side")};
@@ -184,7 +187,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   }
   dvec3 middle() const { return subject_.own() + last<Centred<double>>()->mean; }
   /// Where an arrow of the normal ends.
-  double arrow() const { return 0.28 * std::max(cloud_.size().x, cloud_.size().y); }
+  double arrow() const { return 0.4 * std::max(cloud_.size().x, cloud_.size().y); }
 
   void add_points(View& view) const {
     const std::vector<Index> neighbours = near();
@@ -290,7 +293,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   /// All points in the light of their normals; beside it the right ones, or points without any.
   void add_pictures(View& view) const {
     const bool wrong = way_ != Way::right;
-    const Extent left{{0.4, 0.4}, {22, 25.2}}, right{{23, 8}, {35.8, 25.2}};
+    const Extent left{{0.4, 0.4}, {22, 25.2}}, right{{23, 8}, {35.2, 25.2}};
     add_picture(view, "a", left, words_.say(wrong ? "picture.wrong" : "picture"), whole_.normals, false);
     add_picture(view, "b", right, words_.say(wrong ? "picture.right" : "picture.plain"), right_, true);
     if (!wrong && !subject_.normals.empty())

@@ -73,7 +73,11 @@ class ZoomStory : public Past<steps::Started, Finished> {
     }
   }
 
-  double tells(const Finished&) const { return static_cast<double>(at_hand() + 1); }
+  /// The first picture with gaps.
+  double tells(const Finished&) const {
+    const auto has_gaps = [](const ZoomPicture& picture) { return picture.bare > 0; };
+    return std::ranges::count_if(std::span(pictures_).first(at_hand() + 1), has_gaps) == 1 ? 2 : 1;
+  }
   Event say(const steps::Started&) const {
     return {.text = "zoom.started",
             .words = {{"bytes", bytes_each()}, {"dots", dots_of(radius_)}},
@@ -109,7 +113,7 @@ class ZoomStory : public Past<steps::Started, Finished> {
   }
 
  private:
-  static constexpr Extent large{{0.4, 0.4}, {24.6, 24.6}}, small{{25.6, 14.4}, {35.8, 24.6}};
+  static constexpr Extent large{{0.4, 0.4}, {24.6, 24.6}}, small{{25.4, 14.8}, {35.2, 24.6}};
 
   std::size_t at_hand() const { return all<Finished>().size() - 1; }
   std::size_t bytes_each() const {
