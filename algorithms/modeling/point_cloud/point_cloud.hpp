@@ -226,7 +226,7 @@ void turn(glm::mat<3, 3, T>& matrix, glm::mat<3, 3, T>& ways, int p, int q) {
 /// whole. Each takes away a third of what is left, or more, so that they come to an end.
 /// Source: C. G. J. Jacobi, 1846; G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., section 8.5.
 template <class T>
-Axes<T> axes_of(const Covariance<T>& covariance) {
+Axes<T> axes(const Covariance<T>& covariance) {
   glm::mat<3, 3, T> matrix = covariance.matrix, ways(T(1));
   const T negligible = std::numeric_limits<T>::epsilon() / 2 * covariance.trace();
   constexpr std::array<std::pair<int, int>, 3> pairs{{{0, 1}, {1, 2}, {0, 2}}};
@@ -254,10 +254,15 @@ Axes<T> axes_of(const Covariance<T>& covariance) {
 
 // --- Normals -----------------------------------------------------
 
+/// Whether there is one direction in which neighbours spread least: the others span a surface.
+template <class T>
+bool flat(const Axes<T>& found) {
+  return found.shape == Shape::surface;
+}
 /// What is left of neighbours that look like no surface.
 template <class T>
-Normal<T> no_normal(Shape shape, const std::array<T, 3>& variance) {
-  return {shape, Place<T>(T(0)), variance};
+Normal<T> no_normal(const Axes<T>& found) {
+  return {found.shape, Place<T>(T(0)), found.variance};
 }
 
 template <class T>
@@ -292,23 +297,17 @@ Normal<T> normal(const Tree<T>& tree, Index i, std::size_t k, const Place<T>& ey
   auto p = tree.points[i];
   auto near = nearest(tree, p, k);
   if constexpr (observed<O>) observer(Gathered<T>{near});
-  // The middle of them, from p
   auto D = offsets(tree, near, p);
   auto m = mean(D);
   if constexpr (observed<O>) observer(Centred<T>{m});
-  // How they spread about it
-  auto C = covariance(D, m);
-  auto [l, way, shape] = axes_of(C);
-  if constexpr (observed<O>) observer(Fitted<T>{l, way, shape});
-  if (shape != Shape::surface) {
-    return no_normal(shape, l);
-  }
-  // Across it they spread least
-  auto n = way[0];
+  auto a = axes(covariance(D, m));
+  if constexpr (observed<O>) observer(Fitted<T>{a.variance, a.ways, a.shape});
+  if (!flat(a)) return no_normal(a);
+  auto n = a.ways[0];
   bool away = dot(n, eye - p) < 0;
   if (away) n = -n;
   if constexpr (observed<O>) observer(Turned<T>{n, away});
-  return {shape, n, l};
+  return {a.shape, n, a.variance};
 }
 
 /// Those of all points.
@@ -371,7 +370,7 @@ std::vector<Place<T>> back_project(const Raster<T>& depth, const Pinhole<T>& cam
   expects(w <= most_pixels && h <= most_pixels, "at most {} columns and rows expected", most_pixels);
   auto [f, c] = camera;
   T half(0.5);
-  std::vector<Place<T>> points;
+  std::vector<Place<T>> cloud;
   for (int j = 0; j < h; ++j) {
     for (int i = 0; i < w; ++i) {
       auto z = depth[{i, j}];
@@ -385,12 +384,12 @@ std::vector<Place<T>> back_project(const Raster<T>& depth, const Pinhole<T>& cam
       T v = c.y - (T(j) + half);
       T x = u * z / f;
       T y = v * z / f;
-      points.push_back({x, y, z});
+      cloud.push_back({x, y, z});
       if constexpr (observed<O>) observer(BackProjected<T>{{i, j}, {x, y, z}});
     }
   }
-  if constexpr (observed<O>) observer(Finished{points.size()});
-  return points;
+  if constexpr (observed<O>) observer(Finished{cloud.size()});
+  return cloud;
 }
 
 /// The pixel in which a point is seen.
@@ -444,7 +443,7 @@ struct DotPixels {
   Walk begin() const { return {window, window.empty() ? end().at : window.lower}; }
   Walk end() const { return {window, {window.lower.x, window.upper.y + 1}}; }
 };
-inline DotPixels dot_round(ivec2 pixel, int radius, const Raster<Index>& picture) {
+inline DotPixels dot_at(ivec2 pixel, int radius, const Raster<Index>& picture) {
   return {intersection({pixel - radius, pixel + radius}, picture.window())};
 }
 /// Of the point that is seen so far, if there is one, and another the one that lies nearer.
@@ -473,7 +472,7 @@ Raster<Index> draw(Places<T> points, ivec2 size, int r, O&& observer = {}) {
     auto& p = points[i];
     expects(all_finite(p.x, p.y, p.z), "point {} is not finite", i);
     auto c = pixel_of(p);
-    auto dot = dot_round(c, r, front);
+    auto dot = dot_at(c, r, front);
     for (ivec2 q : dot) {
       // The nearest is seen
       auto& s = front[q];

@@ -56,7 +56,7 @@ Error of_normals(const Scan& scan, const Find& find) {
 Normal<double> by_brute_force(const Scan& scan, Index i, std::size_t k) {
   const dvec3 p = scan.points[i];
   const auto D = offsets(scan.tree, kd_tree::brute_force<3, double>(scan.points, p, k), p);
-  const auto [variance, ways, shape] = axes_of(covariance(D, mean(D)));
+  const auto [variance, ways, shape] = axes(covariance(D, mean(D)));
   return {shape, glm::dot(ways[0], eye - p) < 0 ? -ways[0] : ways[0], variance};
 }
 

@@ -33,7 +33,8 @@ void tell_normal(Narrator& narrator) {
                    {Role::result, "normal"},
                    {Role::rejected, "other"},
                    {Role::measure, "eye"},
-                   {Role::input, "points"}});
+                   {Role::boundary, "points"}});
+  for (const std::size_t dots : {1u, 5u, 6u}) narrator.trace().legend[dots].sample = Sample::dot;
   const dvec3 at = *narrator.arguments().place("at");
   narrator.handles("eye", [&](dvec3 eye) { return story.at(eye + at); });
   const auto watch = narrator.watcher(story);

@@ -112,9 +112,9 @@ class DepthStory : public Past<steps::Started, Seen, Hole, Finished> {
   }
 
  private:
-  static constexpr Extent space{{14.6, 1.4}, {35.4, 25.6}};
+  static constexpr Extent space{{16.8, 1.2}, {38.4, 25}};
   static constexpr double cell = 2.15;
-  static constexpr dvec2 corner{0.5, 22};  ///< of the depth image, its upper left one
+  static constexpr dvec2 corner{0.5, 20.4};  ///< of the depth image, its upper left one
 
   /// The camera's z is forward: the reader has it away from him.
   dvec2 flat(dvec3 p) const { return reader_.flat({p.x, p.y, -p.z}); }
@@ -138,10 +138,11 @@ class DepthStory : public Past<steps::Started, Seen, Hole, Finished> {
               Text{corner + dvec2{0.5 * columns * cell, 2.9}, words_.say("depth.image"), Align::centre}});
     for (int i = 0; i < columns; ++i)
       view.add({fmt::format("a column {}", i), Role::guide,
-                Text{corner + dvec2{(i + 0.5) * cell, 0.9}, fmt::format("{}", i)}});
+                Text{corner + dvec2{(i + 0.5) * cell, 0.9}, fmt::format("{}", i), Align::centre, true}});
     for (int j = 0; j < depth.height(); ++j) {
       view.add({fmt::format("a row {}", j), Role::guide,
-                Text{corner + dvec2{columns * cell + 0.6, -(j + 0.5) * cell}, fmt::format("{}", j)}});
+                Text{corner + dvec2{columns * cell + 0.6, -(j + 0.5) * cell}, fmt::format("{}", j),
+                     Align::centre, true}});
       for (int i = 0; i < columns; ++i) {
         const std::string id = fmt::format("b {} {}", j, i);
         const dvec2 lower = corner + cell * dvec2{i, -j - 1};
@@ -150,7 +151,8 @@ class DepthStory : public Past<steps::Started, Seen, Hole, Finished> {
         const bool here = role == Role::current || (now<Hole>() && now<Hole>()->pixel == ivec2{i, j});
         if (here) view.add({id + " inside", role, Area{{ring}, 1}});
         view.add({id, here ? role : Role::boundary, Path{ring, true}});
-        view.add({id + " z", role, Text{lower + 0.5 * cell, figure_real(depth[{i, j}])}});
+        view.add(
+            {id + " z", role, Text{lower + 0.5 * cell, figure_real(depth[{i, j}]), Align::centre, true}});
       }
     }
   }
@@ -160,7 +162,7 @@ class DepthStory : public Past<steps::Started, Seen, Hole, Finished> {
     const dvec2 off{s.pixel.x + 0.5 - centre.x, centre.y - s.pixel.y - 0.5};
     const auto add = [&](int line, Role role, std::string text) {
       view.add({fmt::format("y {}", line), role,
-                Text{{corner.x, 9.4 - 1.8 * line}, std::move(text), Align::left, true}});
+                Text{{corner.x, 8 - 1.9 * line}, std::move(text), Align::left, true}});
     };
     const std::string z = figure_real(s.place.z), f = figure_real(focal);
     for (const int axis : {0, 1}) {
@@ -168,8 +170,8 @@ class DepthStory : public Past<steps::Started, Seen, Hole, Finished> {
       add(axis, Role::current,
           fmt::format("{} = {} · {} / {} = {}", name, figure_real(off[axis]), z, f, its));
       add(2 + axis, Role::measure,
-          fmt::format("{} {} {} · {} / {} = {}", figure_real(centre[axis]), axis == 0 ? "+" : "−", f,
-                      figure_factor(its), z, figure_real(s.pixel[axis] + 0.5)));
+          fmt::format("{} + ½ = {} {} {} · {} / {} = {}", "ij"[axis], figure_real(centre[axis]),
+                      axis == 0 ? "+" : "−", f, figure_factor(its), z, figure_real(s.pixel[axis] + 0.5)));
     }
   }
   /// The eye, and its picture as a window with a pane for each pixel.

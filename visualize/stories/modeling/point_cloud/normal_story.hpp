@@ -21,7 +21,7 @@ Surface normal_by(const Tree<double>& tree, Index i, std::size_t k, dvec3 eye, W
 /// The normals of all points, and what the search of one has cost.
 struct Whole {
   std::vector<dvec3> normals;
-  std::int64_t without = 0, away = 0;  ///< points that have none, and whose points away from the eye
+  std::int64_t without = 0, away = 0;  ///< points without one, and those whose normal points away
   double worst = 0, in_the_mean = 0;   ///< angles to the known ones in degrees
   std::int64_t distances = 0;
 };
@@ -67,7 +67,11 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
         whole_(std::move(whole)),
         right_(way == Way::right ? std::vector<dvec3>{} : whole_of<Way::right>(subject).normals),
         panel_(space, {}) {
-    for (const dvec3 p : subject.points) cloud_.add(subject.reader.flat(p));
+    for (const dvec3 p : subject.points) {
+      cloud_.add(subject.reader.flat(p));
+      const double forward = glm::dot(p, subject.reader.towards);
+      forward_ = {std::min(forward_.x, forward), std::max(forward_.y, forward)};
+    }
     Extent extent = cloud_;
     extent.add(subject.reader.flat(subject.eye));
     panel_ = Panel(space, extent);
@@ -88,8 +92,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   Event say(const steps::Started&) const {
     return {.text = "started",
             .words = {{"place", short_place(subject_.own())}, {"k", subject_.k}},
-            .count = std::ssize(subject_.points),
-            .row = {"p", short_place(subject_.own())}};
+            .count = std::ssize(subject_.points)};
   }
   Event say(const Gathered<double>& g) const {
     return {.text = "gathered",
@@ -97,7 +100,6 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
             .words = {{"far", std::sqrt(g.near.back().distance)}, {"points", subject_.points.size()}},
             .count = std::ssize(g.near),
             .note = words_.say("effect.gathered", {{"far", short_real(std::sqrt(g.near.back().distance))}}),
-            .row = {words_.say("row.far"), short_real(std::sqrt(g.near.back().distance))},
             .key = "neighbours",
             .phase = words_.say("phase.near")};
   }
@@ -152,11 +154,10 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
                                             : "finished",
             .facts = {{"without", whole_.without}, {"away", whole_.away}},
             .words = {{"points", subject_.points.size()},
+                      {"with", std::ssize(subject_.points) - whole_.without},
                       {"mean", degrees(whole_.in_the_mean)},
                       {"worst", degrees(whole_.worst)},
-                      {"off", degrees(off_)}},
-            .row = {words_.say("row.normals"),
-                    subject_.points.size() - static_cast<std::size_t>(whole_.without)}};
+                      {"off", degrees(off_)}}};
   }
 
   View draw() const {
@@ -175,7 +176,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   }
 
  private:
-  static constexpr Extent space{{0.6, 0.8}, {22.4, 26.2}}, side{{24, 12.6}, {35.4, 24.2}};
+  static constexpr Extent space{{0.6, 0.8}, {24.8, 25.2}}, side{{27, 12}, {38.6, 23.6}};
 
   static double variation(const Fitted<double>& f) { return Surface{f.shape, {}, f.variance}.variation(); }
   std::vector<Index> near() const {
@@ -187,19 +188,28 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   }
   dvec3 middle() const { return subject_.own() + last<Centred<double>>()->mean; }
   /// Where an arrow of the normal ends.
-  double arrow() const { return 0.4 * std::max(cloud_.size().x, cloud_.size().y); }
+  double arrow() const { return 0.5 * std::max(cloud_.size().x, cloud_.size().y); }
 
+  /// Neighbours as dots; other points smaller, so that they hide no arrow: the larger, the nearer to the
+  /// reader.
   void add_points(View& view) const {
     const std::vector<Index> neighbours = near();
-    const auto is_near = [&](Index i) { return std::ranges::find(neighbours, i) != neighbours.end(); };
+    const double size =
+        0.24 * std::sqrt(std::clamp(140 / static_cast<double>(subject_.points.size()), 0.25, 1.0));
+    const auto nearness = [&](Index i) { return glm::dot(subject_.points[i], subject_.reader.towards); };
     for (Index i = 0; i < subject_.points.size(); ++i) {
-      if (i == subject_.point || (subject_.is_hidden(i) && !is_near(i))) continue;
-      const Role role = is_near(i) ? Role::candidate : Role::input;
-      view.add({fmt::format("p {:04}", i), role, Dot{at(subject_.points[i])}});
-      if (role == Role::candidate)
-        view.add({fmt::format("l {:04}", i), role,
-                  Stroke{at(last<Centred<double>>() ? middle() : subject_.own()), at(subject_.points[i]),
-                         false, false, true}});
+      const bool is_near = std::ranges::find(neighbours, i) != neighbours.end();
+      if (i == subject_.point || (subject_.is_hidden(i) && !is_near)) continue;
+      const double part = (nearness(i) - forward_.x) / std::max(forward_.y - forward_.x, 1e-300);
+      const dvec2 place = at(subject_.points[i]);
+      if (!is_near) {
+        view.add({fmt::format("p {:04}", i), Role::boundary,
+                  Area{{round_ring(place, size * (0.7 + 0.5 * part))}}});
+        continue;
+      }
+      view.add({fmt::format("p {:04}", i), Role::candidate, Dot{place}});
+      view.add({fmt::format("l {:04}", i), Role::candidate,
+                Stroke{at(last<Centred<double>>() ? middle() : subject_.own()), place, false, false, true}});
     }
     if (last<Centred<double>>()) view.add_named("q m", Role::accepted, at(middle()), "m");
     view.add_named("r p", Role::current, at(subject_.own()), "p");
@@ -216,12 +226,9 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
     const std::vector<dvec2> flat = mapped(ring, [&](dvec3 p) { return at(p); });
     view.add({"a plane", Role::accepted, Area{{flat}, 1}});
     view.add({"b plane", Role::accepted, Path{flat, true}});
-    constexpr int pieces = 60;
-    std::vector<dvec2> ellipse;
-    for (int i = 0; i < pieces; ++i)
-      ellipse.push_back(at(middle() + gradus::cos(two_pi * i / pieces) / 1.1 * a +
-                           gradus::sin(two_pi * i / pieces) / 1.1 * b));
-    view.add({"c ellipse", Role::accepted, Path{std::move(ellipse), true}});
+    const std::vector<dvec2> round =
+        mapped(round_ring({0, 0}, 1 / 1.1, 60), [&](dvec2 p) { return at(middle() + p.x * a + p.y * b); });
+    view.add({"c ellipse", Role::accepted, Path{round, true}});
   }
   void add_normal(View& view) const {
     const auto* f = last<Fitted<double>>();
@@ -252,13 +259,9 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
     const Panel panel(side, {{-reach, -reach}, {reach, reach}});
     const dvec2 axes{2 * std::sqrt(f->variance[2]), 2 * std::sqrt(f->variance[0])};
     view.add({"v flat", Role::accepted, Stroke{panel.at(dvec2{-reach, 0}), panel.at(dvec2{reach, 0})}});
-    constexpr int pieces = 60;
-    std::vector<dvec2> ellipse;
-    for (int i = 0; i < pieces; ++i) {
-      const double turn = two_pi * i / pieces;
-      ellipse.push_back(panel.at(axes * dvec2{gradus::cos(turn), gradus::sin(turn)}));
-    }
-    view.add({"v ellipse", Role::accepted, Path{std::move(ellipse), true}});
+    const std::vector<dvec2> round =
+        mapped(round_ring({0, 0}, 1, 60), [&](dvec2 p) { return panel.at(p * axes); });
+    view.add({"v ellipse", Role::accepted, Path{round, true}});
     for (const Index i : near())
       view.add({fmt::format("w {:04}", i), i == subject_.point ? Role::current : Role::candidate,
                 Dot{panel.at(glm::clamp(seen(subject_.points[i]), -reach, reach))}});
@@ -271,7 +274,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
       view.add({"x other", Role::result, Stroke{from, panel.at(-length), true, true}});
   }
   void add_line(View& view, int line, Role role, const std::string& text) const {
-    view.add({fmt::format("y {:02}", line), role, Text{{23.2, 10.4 - 1.75 * line}, text, Align::left, true}});
+    view.add({fmt::format("y {:02}", line), role, Text{{25.4, 9.6 - 1.85 * line}, text, Align::left, true}});
   }
   void add_costs(View& view) const {
     const auto* f = last<Fitted<double>>();
@@ -293,7 +296,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   /// All points in the light of their normals; beside it the right ones, or points without any.
   void add_pictures(View& view) const {
     const bool wrong = way_ != Way::right;
-    const Extent left{{0.4, 0.4}, {22, 25.2}}, right{{23, 8}, {35.2, 25.2}};
+    const Extent left{{0.4, 0.4}, {24, 24}}, right{{25.4, 10.4}, {39, 24}};
     add_picture(view, "a", left, words_.say(wrong ? "picture.wrong" : "picture"), whole_.normals, false);
     add_picture(view, "b", right, words_.say(wrong ? "picture.right" : "picture.plain"), right_, true);
     if (!wrong && !subject_.normals.empty())
@@ -303,8 +306,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
                    std::span<const dvec3> normals, bool aside) const {
     constexpr int pixels = 560;
     const Extent shown = widened(cloud_, 0.04);
-    const dvec2 size = shown.size();
-    const double longer = std::max(size.x, size.y);
+    const double longer = longer_side(shown);
     const Screen screen{shown.centre() - 0.5 * longer, longer, pixels};
     const int radius =
         std::max(1, static_cast<int>(0.3 * pixels /
@@ -324,6 +326,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   const std::vector<dvec3> right_;  ///< of a mistake
   double off_ = 0;                  ///< in the mean from these
   Extent cloud_{};
+  dvec2 forward_{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
   Panel panel_;
 };
 

@@ -20,7 +20,7 @@ namespace gradus::point_cloud {
 
 using Surface = Normal<double>;
 
-constexpr int paper_width = 36, paper_height = 27;
+constexpr int paper_width = 40, paper_height = 26;
 constexpr double two_pi = 6.283185307179586;
 
 inline std::string short_real(double value) {
@@ -31,6 +31,16 @@ inline std::string short_place(dvec3 p) { return figure_place(p, short_real); }
 inline std::string degrees(double angle) { return figure_real(std::round(angle * 10) / 10); }
 /// 0.0123 is "1.2".
 inline std::string percent(double part) { return figure_real(std::round(part * 1000) / 10); }
+
+/// A ring of so many corners on a circle.
+inline std::vector<dvec2> round_ring(dvec2 middle, double radius, int corners = 12) {
+  std::vector<dvec2> ring;
+  for (int i = 0; i < corners; ++i) {
+    const double turn = two_pi * i / corners;
+    ring.push_back(middle + radius * dvec2{gradus::cos(turn), gradus::sin(turn)});
+  }
+  return ring;
+}
 
 /// A place of a surface, and how the surface faces there.
 struct Spot {
@@ -157,6 +167,12 @@ inline Rgba8 lit(dvec3 colour, dvec3 normal, dvec3 to_lamp) {
   return tone_of(std::round((ambient + (1 - ambient) * facing) * tones) / tones * colour);
 }
 
+/// Of what is shown; of one place alone any.
+inline double longer_side(const Extent& shown) {
+  const double longer = std::max(shown.size().x, shown.size().y);
+  return longer > 1e-300 ? longer : 1;
+}
+
 /// How a square of the plane across the reader's way becomes pixels.
 struct Screen {
   dvec2 lower;
@@ -191,7 +207,7 @@ inline Raster<Index> rounded(std::span<const dvec3> seen, const Screen& screen, 
   };
   Raster<Index> front = blank(ivec2(screen.pixels));
   for (Index i = 0; i < seen.size(); ++i) {
-    for (const ivec2 pixel : dot_round(pixel_of(seen[i]), radius, front)) {
+    for (const ivec2 pixel : dot_at(pixel_of(seen[i]), radius, front)) {
       if (within(i, pixel)) front[pixel] = nearer(seen, front[pixel], i);
     }
   }

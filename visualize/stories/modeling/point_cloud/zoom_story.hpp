@@ -33,8 +33,7 @@ inline std::string dots_of(int radius) { return fmt::format("{} × {}", 2 * radi
 
 inline ZoomPicture zoom_picture_of(const Subject& subject, const Extent& cloud, int zoom) {
   constexpr int pixels = 60;
-  const dvec2 size = cloud.size();
-  const double longer = 1.04 * std::max(size.x, size.y), side = longer / zoom;
+  const double side = 1.04 * longer_side(cloud) / zoom;
   // Nearer round the point that is told
   const dvec2 towards = subject.reader.flat(subject.own());
   const dvec2 middle = zoom == 1 ? cloud.centre() : towards;
@@ -113,7 +112,7 @@ class ZoomStory : public Past<steps::Started, Finished> {
   }
 
  private:
-  static constexpr Extent large{{0.4, 0.4}, {24.6, 24.6}}, small{{25.4, 14.8}, {35.2, 24.6}};
+  static constexpr Extent large{{0.4, 0.4}, {24, 24}}, small{{25.6, 10.6}, {39, 24}};
 
   std::size_t at_hand() const { return all<Finished>().size() - 1; }
   std::size_t bytes_each() const {
@@ -150,7 +149,7 @@ class ZoomStory : public Past<steps::Started, Finished> {
     view.add({"c part", Role::current, Path{part.corners(), true, false, true}});
   }
   void add_line(View& view, int line, Role role, const std::string& text) const {
-    view.add({fmt::format("y {:02}", line), role, Text{{25.8, 11.6 - 1.9 * line}, text, Align::left, true}});
+    view.add({fmt::format("y {:02}", line), role, Text{{26, 8.9 - 1.9 * line}, text, Align::left, true}});
   }
 
   const Words& words_;
