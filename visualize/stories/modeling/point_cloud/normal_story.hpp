@@ -147,10 +147,9 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
     return event;
   }
   Event say(const steps::Finished&) const {
-    const bool known = !subject_.normals.empty();
     return {.text = way_ == Way::uncentred  ? "finished.uncentred"
                     : way_ == Way::unturned ? "finished.unturned"
-                    : known                 ? "finished.known"
+                    : is_known()            ? "finished.known"
                                             : "finished",
             .facts = {{"without", whole_.without}, {"away", whole_.away}},
             .words = {{"points", subject_.points.size()},
@@ -178,6 +177,8 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
  private:
   static constexpr Extent space{{0.6, 0.8}, {24.8, 25.2}}, side{{27, 12}, {38.6, 23.6}};
 
+  /// Whether there are normals, and what they ought to be.
+  bool is_known() const { return !subject_.normals.empty() && whole_.without < std::ssize(subject_.points); }
   static double variation(const Fitted<double>& f) { return Surface{f.shape, {}, f.variance}.variation(); }
   std::vector<Index> near() const {
     std::vector<Index> all;
@@ -299,7 +300,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
     const Extent left{{0.4, 0.4}, {24, 24}}, right{{25.4, 10.4}, {39, 24}};
     add_picture(view, "a", left, words_.say(wrong ? "picture.wrong" : "picture"), whole_.normals, false);
     add_picture(view, "b", right, words_.say(wrong ? "picture.right" : "picture.plain"), right_, true);
-    if (!wrong && !subject_.normals.empty())
+    if (!wrong && is_known())
       add_line(view, 2, Role::result, words_.say("angle", {{"mean", degrees(whole_.in_the_mean)}}));
   }
   void add_picture(View& view, const std::string& id, const Extent& place, std::string heading,
