@@ -305,7 +305,7 @@ Normal<T> normal(const Tree<T>& tree, Index i, std::size_t k, const Place<T>& ey
   if (!flat(a)) return no_normal(a);
   auto n = a.ways[0];
   bool away = dot(n, eye - p) < 0;
-  if (away) n = -n;
+  n = away ? -n : n;
   if constexpr (observed<O>) observer(Turned<T>{n, away});
   return {a.shape, n, a.variance};
 }

@@ -113,6 +113,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   }
   Event say(const Fitted<double>& f) const {
     constexpr std::array names{"surface", "one_place", "in_line", "alike"};
+    constexpr std::array branches{"surface", "one place", "in line", "alike"};
     const auto shape = static_cast<std::size_t>(f.shape);
     std::vector<std::string> answers;
     for (const char* name : names) answers.push_back(words_.say(fmt::format("shape.{}", name)));
@@ -126,7 +127,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
             .row = {"λ₀", figure_real(f.variance[0])},
             .key = "λ",
             .phase = words_.say("phase.spread"),
-            .decides = Decision{words_.say("question.shape"), answers, shape, names[shape]}};
+            .decides = Decision{words_.say("question.shape"), answers, shape, branches[shape]}};
   }
   Event say(const Turned<double>& t) const {
     const dvec3 before = last<Fitted<double>>()->ways[0], to_eye = unit_vector(subject_.eye - subject_.own());

@@ -2,6 +2,7 @@
 // What a run is about: points of a surface that is known, or the vertices of a model, one of them, and the
 // eye that has seen them; and pictures of points that are drawn as dots.
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -115,6 +116,17 @@ inline void take_surface(Subject& subject, const Arguments& arguments) {
   }
 }
 
+/// The corners of a cube alone: they spread alike in all directions.
+inline void take_cube(Subject& subject) {
+  for (int i = 0; i < 8; ++i)
+    subject.corners.emplace_back(i % 2 == 0 ? -1 : 1, i / 2 % 2 == 0 ? -1 : 1, i < 4 ? -1 : 1);
+  subject.points = subject.corners;
+  using Ring = std::array<std::int32_t, 4>;
+  for (const Ring& ring : {Ring{0, 2, 3, 1}, Ring{4, 5, 7, 6}, Ring{0, 1, 5, 4}, Ring{2, 6, 7, 3},
+                           Ring{0, 4, 6, 2}, Ring{1, 3, 7, 5}})
+    subject.faces.add(ring);
+}
+
 /// The point whose surroundings a figure shows best: nearest to the middle of the picture, of those seen.
 inline Index point_to_tell(const Subject& subject) {
   Extent extent;
@@ -134,6 +146,8 @@ inline Index point_to_tell(const Subject& subject) {
 inline void prepare(Subject& subject, const Arguments& arguments) {
   if (is_of_model(arguments))
     take_model(subject, arguments);
+  else if (arguments.text("shape") == "cube")
+    take_cube(subject);
   else
     take_surface(subject, arguments);
   const dvec3 at = *arguments.place("at");
