@@ -38,8 +38,8 @@ inline constexpr System koch_system{"F", {{{'F', "F+F--F+F"}}}, 60};
 inline constexpr System dragon_system{"F", {{{'F', "F+G"}, {'G', "F-G"}}}, 90};
 inline constexpr System hilbert_system{"A", {{{'A', "+BF-AFA-FB+"}, {'B', "-AF+BFB+FA-"}}}, 90};
 inline constexpr System arrowhead_system{"F", {{{'F', "G-F-G"}, {'G', "F+G+F"}}}, 60};
-/// Grows upwards: four turns to the left come before it. The Algorithmic Beauty of Plants, figure 1.24f.
-inline constexpr System plant_system{"++++X", {{{'X', "F-[[X]+X]+F[+FX]-X"}, {'F', "FF"}}}, 22.5};
+/// The Algorithmic Beauty of Plants, figure 1.24f; it grows to the right.
+inline constexpr System plant_system{"X", {{{'X', "F-[[X]+X]+F[+FX]-X"}, {'F', "FF"}}}, 22.5};
 
 /// As many symbols as one may ask for.
 inline constexpr std::int64_t most_symbols = std::int64_t{1} << 24;
@@ -68,7 +68,7 @@ struct TextFinished {
 template <class P>
 struct Stand {
   P at{0};
-  std::int64_t turns = 0;
+  std::int64_t turn = 0;
 };
 
 /// The turtle has done what a symbol says.
@@ -221,12 +221,12 @@ void turtle(std::string_view text, Way&& way, Draw&& draw, O&& observer = {}) {
   Stand<P> now;
   for (const char& s : text) {
     const P a = now.at;
-    if (s == '+') ++now.turns;
-    if (s == '-') --now.turns;
+    if (s == '+') ++now.turn;
+    if (s == '-') --now.turn;
     if (s == '[') push(kept, now);
     if (s == ']') now = pop(kept);
     if (walks(s)) {
-      now.at += way(now.turns);
+      now.at += way(now.turn);
     }
     if (draws(s)) draw(a, now.at);
     if constexpr (observed<O>) observer(SymbolRead<P>{place_in(text, s), s, a, now, kept.size()});

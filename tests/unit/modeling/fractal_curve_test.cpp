@@ -173,9 +173,9 @@ TEST(FractalCurve, BracketsRestoreWhereTheTurtleStands) {
   const auto read = all<SymbolRead<Corner>>(seen);
   ASSERT_EQ(read.size(), 10u);
   EXPECT_EQ(read[4].now.at, (Corner{1, 0}));
-  EXPECT_EQ(read[4].now.turns, 0);
+  EXPECT_EQ(read[4].now.turn, 0);
   EXPECT_EQ(read[3].kept, 1u);
-  EXPECT_EQ(read[9].now.turns, -1);
+  EXPECT_EQ(read[9].now.turn, -1);
 }
 
 TEST(FractalCurve, RewritingTellsEachSymbol) {

@@ -203,7 +203,7 @@ const TopicEntry& entry() {
                              "three sides of a triangle, or one segment"),
                       integer(1, 5, "level", "2", "3", "how often everything is replaced"),
                       points(2, 2, "base", "0,0 9,0", "1,2 7,5",
-                             "the ends of the segment, or of the triangle's lower side", xy, {1e-6, 1e6}),
+                             "the ends of the segment, or of the triangle's lower side", xy, {1e-12, 1e12}),
                       choice("system", {"koch", "dragon", "hilbert", "arrowhead", "plant"}, "koch", "dragon",
                              "the rules of a text"),
                       integer(2, 3, "divide", "3", "2", "how many smaller boxes lie along a box")},

@@ -84,6 +84,7 @@ class TextLine {
 };
 
 constexpr double upper_line = 25.2, lower_line = 21.7;
+constexpr Extent below_text{{0.7, 1.4}, {35.3, 23.9}};
 
 /// Steps of these symbols, in as few marks as they hang together.
 inline void add_steps(View& view, const std::string& id, Role role, const Panel& panel,
@@ -176,7 +177,7 @@ class RewriteStory : public Past<steps::Started, SymbolReplaced, GenerationDone,
     const int generation = last<GenerationDone>() ? last<GenerationDone>()->generation : 0;
     const Role role = generation == 0 ? Role::past : Role::result;
     TextLine(text(generation), upper_line, 0).add_to(view, "a text", [&](Index) { return role; });
-    const Panel panel = panel_of(walk(generation), {{3, 1.4}, {33, 22.5}});
+    const Panel panel = panel_of(walk(generation), below_text);
     add_steps(view, "b steps", role, panel, walk(generation).steps, 0, text(generation).size());
     if (walk(generation).steps.empty()) view.add({"b stand", role, Dot{panel.at({0, 0})}});
     return view;
@@ -262,7 +263,7 @@ class TurtleStory : public Past<steps::Started, SymbolRead<dvec2>, WalkFinished>
       : subject_(subject),
         text_(subject.text(subject.level)),
         all_(walked(subject, text_)),
-        panel_(panel_of(all_, {{3, 1.4}, {33, 22.6}})) {}
+        panel_(panel_of(all_, below_text)) {}
 
   /// More are read, but not told.
   static constexpr Index most_told = 200;
@@ -329,13 +330,13 @@ class TurtleStory : public Past<steps::Started, SymbolRead<dvec2>, WalkFinished>
   }
   /// From 0 to below 360.
   double heading(const SymbolRead<dvec2>& r) const {
-    const double degrees = std::fmod(static_cast<double>(r.now.turns) * subject_.system.degrees, 360);
+    const double degrees = std::fmod(static_cast<double>(r.now.turn) * subject_.system.degrees, 360);
     return degrees < 0 ? degrees + 360 : degrees;
   }
   void add_turtle(View& view, const SymbolRead<dvec2>& r) const {
     const dvec2 from = panel_.at(r.from), at = panel_.at(r.now.at);
     if (draws(r.symbol)) view.add({"d step", Role::current, Stroke{from, at, true}});
-    const dvec2 way = plane_way(r.now.turns, subject_.system.degrees);
+    const dvec2 way = plane_way(r.now.turn, subject_.system.degrees);
     constexpr double long_enough = 2;
     // It looks much the way that it comes back: one arrow of the two
     if (r.symbol == ']' && from != at)
