@@ -1,5 +1,4 @@
-// FILL IN: what is shown three ways. Until then a walk: its pixels alone, its steps watched by a lambda, one
-// step as a figure.
+// Barnsley's fern two ways, its dimension at most, and a piece that a map lays smaller, as a figure.
 // Writes iterated_functions.svg into the current folder.
 
 #include "modeling/iterated_functions/iterated_functions.hpp"
@@ -7,33 +6,37 @@
 #include <fmt/core.h>
 
 #include <fstream>
-#include <string>
 
 #include "cairo/cairo_output.hpp"
 #include "figure/figure.hpp"
+#include "modeling/iterated_functions/similarity_dimension.hpp"
 #include "stories/topic.hpp"
 
 int main() {
   using namespace gradus;
   using namespace gradus::iterated_functions;
+  const Maps<double> maps = fern;
 
-  // The pixels alone
-  walk({0, 0}, {5, 2}, [](ivec2 p) { fmt::print("({}, {}) ", p.x, p.y); });
-  fmt::print("\n");
+  // All pieces: how large the largest one is on each level
+  deterministic(maps, 5, []<class Step>(const Step& step) {
+    if constexpr (std::same_as<Step, LevelDone>)
+      fmt::print("level {}: {} pieces, stretched by {:.3f} at most\n", step.level, step.pieces, step.largest);
+  });
 
-  // The steps, as the algorithm reports them
-  const auto watch = []<class Step>(const Step& step) {
-    if constexpr (std::same_as<Step, Stepped>) fmt::print("column reached: {}\n", step.column_reached);
-  };
-  walk({0, 0}, {5, 2}, [](ivec2) {}, watch);
+  // One point: how far up it comes
+  double highest = 0;
+  const auto plot = [&](dvec2 p) { highest = std::max(highest, p.y); };
+  chaos_game(maps, shares_by_area(maps), Game<double>{{0, 0}, 20, 10'000, 1}, plot);
+  fmt::print("the highest of 10,000 points lies at {:.3f}\n", highest);
 
-  // Step 4 as a figure
-  const TopicEntry& topic = *find_entry("iterated_functions");
-  const Trace trace = trace_of(topic, {{"columns", "5"}, {"rows", "2"}});
+  std::vector<double> ratios;
+  for (const DMap& f : maps) ratios.push_back(stretch(f));
+  fmt::print("dimension at most {:.2f}\n", similarity_dimension(ratios, 30));
+
+  const Trace trace = trace_of(*find_entry("iterated_functions"));
   Playhead playhead(trace);
-  const Figure figure = figure_of(trace, playhead, {4, 0});
-  const std::string source = "examples/modeling/iterated_functions";
-  const Colophon colophon{figure.title, caption_of(figure), source, ""};
+  const Figure figure = figure_of(trace, playhead, trace.telling);
+  const Colophon colophon{figure.title, caption_of(figure), "examples/modeling/iterated_functions", ""};
   std::ofstream file("iterated_functions.svg");
   file << svg_of(lay_out(figure, {}), *find_theme("light"), colophon);
 }

@@ -111,25 +111,27 @@ bool contracts(const Map<T>& m) {
   }
   product.add(a, a, d, d);
   product.add(b, b, c, c);
-  product.subtract(2 * a, b, c, d);
+  product.subtract(a, b, c, d);
+  product.subtract(a, b, c, d);
   return missing.sign() > 0 && product.sign() > 0;
 }
 
-/// By how much maps that contract shrink lengths at least, rounded up, below 1.
+/// A number c by which maps that contract stretch lengths at most, rounded up; 1 where it is no longer told
+/// from 1, and then nothing is known of how fast they come to the attractor.
 template <std::floating_point T>
 double contraction(Maps<T> maps) {
-  constexpr double above = 1 + 16 * 0x1p-53, below_1 = 1 - 0x1p-53;
+  constexpr double above = 1 + 16 * 0x1p-53;
   double most = 0;
   for (const Map<T>& f : maps)
     most = std::max(most, stretch(Map<double>{f.a, f.b, f.c, f.d, 0, 0}));
-  return std::min(most * above + 0x1p-1074, below_1);
+  return std::min(most * above + 0x1p-1074, 1.0);
 }
 
 /// How far a shape is at most from the attractor, each point of either from the other: by the collage
 /// theorem the longest way from a corner to its image, over 1 - c. What is convex is longest at a corner.
 /// Source: M. F. Barnsley, Fractals everywhere, 1988, section III.10.
 ///
-/// Accuracy: some ten roundings.
+/// Accuracy: some ten roundings; infinite where c is 1.
 template <std::floating_point T>
 double reach(Maps<T> maps, std::span<const Point<T>> corners, double c) {
   double most = 0;
@@ -199,7 +201,7 @@ double largest_stretch(const Pieces<T>& pieces) {
 /// Domain: one map or more, all of finite numbers and contracting; 0 <= levels <= 22; at most 2^22 pieces.
 /// Steps: (Mapped for each piece and map, LevelDone) for each level, Finished.
 /// Accuracy: a piece of level n lays a point p within 6 n u (|p| + M) of its place, M the largest
-///   translation of a map or piece on its way, and 6 n of the smallest subnormal numbers times 1 + |p|.
+///   translation of a map or piece on its way, all up to 2^1000, and 6 n of the smallest subnormal numbers.
 ///   Its distance to the attractor is at most c^n times that of the first shape, of which reach() is a bound.
 /// Cost: 12 products and 8 sums per piece of each level.
 /// Errors: ContractViolation outside the domain; it names the first map that does not contract.

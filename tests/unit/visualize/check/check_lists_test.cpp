@@ -269,6 +269,7 @@ std::vector<Row> table() {
       {"csg_tree", "sides", {{"method", "membership"}}, is_in_order},
       {"fractal_curve", "tips", {}, is_in_order},
       {"fractal_curve", "segments", {{"shape", "curve"}}, is_in_order},
+      {"iterated_functions", "pieces", {{"level", "2"}}, is_in_order},
       {"back_face_culling", "signs", {}, are_the_signs_of_a_cube},
       {"painter",
        "order",

@@ -73,6 +73,7 @@ inline Subject subject_of(const Arguments& arguments) {
              stretch(subject.maps[i]));
   }
   subject.c = contraction(subject.all());
+  if (subject.c >= 1) refuse("maps", "expected maps that make lengths smaller by more than a rounding error");
   constexpr Whole enough = 4096;
   constexpr int most_levels = 12;
   for (const dvec2 p : subject.points(subject.levels_of(enough, most_levels))) subject.attractor.add(p);
