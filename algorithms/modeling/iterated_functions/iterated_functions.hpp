@@ -54,8 +54,8 @@ inline constexpr Whole most_pieces = Whole{1} << 22;
 /// A map was applied to a piece.
 template <class T>
 struct Mapped {
-  int level;          ///< of the image, from 1 on
-  Index piece, map;   ///< of the level before, and which map, from 0 on
+  int level;         ///< of the image, from 1 on
+  Index piece, map;  ///< of the level before, and which map, from 0 on
   Map<T> from, image;
 };
 
@@ -122,8 +122,7 @@ template <std::floating_point T>
 double contraction(Maps<T> maps) {
   constexpr double above = 1 + 16 * 0x1p-53;
   double most = 0;
-  for (const Map<T>& f : maps)
-    most = std::max(most, stretch(Map<double>{f.a, f.b, f.c, f.d, 0, 0}));
+  for (const Map<T>& f : maps) most = std::max(most, stretch(Map<double>{f.a, f.b, f.c, f.d, 0, 0}));
   return std::min(most * above + 0x1p-1074, 1.0);
 }
 

@@ -1,4 +1,5 @@
-// Points of the fern: how far its parts are from the nearest one, and what that takes by pieces and by a game.
+// Points of the fern: how far its parts are from the nearest one, and what that takes by pieces and by a
+// game.
 
 #include "modeling/iterated_functions/iterated_functions.hpp"
 

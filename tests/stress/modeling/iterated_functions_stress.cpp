@@ -60,9 +60,7 @@ struct Squares {
     const Exact square = x * x;
     return sign(square * Exact(2) - sum) >= 0 && sign(square * square - sum * square + product) >= 0;
   }
-  bool contracts() const {
-    return sign(Exact(2) - sum) > 0 && sign(Exact(1) - sum + product) > 0;
-  }
+  bool contracts() const { return sign(Exact(2) - sum) > 0 && sign(Exact(1) - sum + product) > 0; }
 };
 
 double contracts_error(const Input& i) {
@@ -95,8 +93,9 @@ Input maps_and_point(Kind kind, Random& random) {
   for (int map = 0; map < 2; ++map) {
     const double size = kind == Kind::ties ? 0.5 : random.uniform(0.3, 0.7);
     for (int k = 0; k < 4; ++k)
-      input.push_back(kind == Kind::ties ? size * static_cast<double>(random.uniform_int(-1, 1)) * (k % 3 == 0)
-                                         : random.uniform(-size, size));
+      input.push_back(kind == Kind::ties
+                          ? size * static_cast<double>(random.uniform_int(-1, 1)) * (k % 3 == 0)
+                          : random.uniform(-size, size));
     for (int k = 0; k < 2; ++k) input.push_back(number(kind, random));
   }
   for (int k = 0; k < 2; ++k) input.push_back(number(kind, random));
@@ -168,7 +167,8 @@ double game_error(const Input& i) {
   const Exact one(1), a(f.a), b(f.b), cc(f.c), d(f.d), e(f.e), ff(f.f);
   const Exact det = (one - a) * (one - d) - b * cc;
   ExactPoint right{((one - d) * e + b * ff) / det, ((one - a) * ff + cc * e) / det};
-  double most = 0, shrunk = far, largest = std::max({size_of(maps[0]), size_of(maps[1]), length_of(begin[0])});
+  double most = 0, shrunk = far,
+         largest = std::max({size_of(maps[0]), size_of(maps[1]), length_of(begin[0])});
   const auto watch = [&]<class Step>(const Step& step) {
     if constexpr (std::same_as<Step, Moved<double>>) {
       right = moved(maps[step.map], right);
@@ -189,7 +189,8 @@ Input ratios_of(Kind kind, Random& random) {
   Input input(3);
   for (double& r : input) {
     r = random.unit();
-    if (kind == Kind::near_degenerate) r = 1 - std::ldexp(random.unit(), -static_cast<int>(random.uniform_int(1, 50)));
+    if (kind == Kind::near_degenerate)
+      r = 1 - std::ldexp(random.unit(), -static_cast<int>(random.uniform_int(1, 50)));
     if (kind == Kind::tiny || kind == Kind::denormal || kind == Kind::extremes || kind == Kind::refused)
       r = std::abs(number(kind, random));
     if (kind == Kind::ties) r = std::ldexp(1.0, -static_cast<int>(random.uniform_int(1, 3)));
@@ -229,56 +230,55 @@ double dimension_error(const Input& i) {
 }  // namespace
 
 Domain iterated_functions() {
-  return {
-      "iterated_functions",
-      {{.name = "contracts",
-        .states = "what makes all lengths smaller is decided exactly",
-        .unit = "wrong decisions",
-        .bound = 0,
-        .numbers = 4,
-        .generate = at_every_scale(matrix),
-        .error = contracts_error,
-        .traps = {{"a turn", {0.6, -0.8, 0.8, 0.6}},
-                  {"as it is", {1, 0, 0, 1}},
-                  {"both values above 1", {2, 0, 0, 2}},
-                  {"a shear", {0.5, 1, 0, 0.5}},
-                  {"one huge, one tiny", {0x1p1000, 0, 0, 5e-324}},
-                  {"the largest numbers", {0x1.fffffffffffffp1023, 1, -1, 0x1.fffffffffffffp1023}}},
-        .cases = 3000},
-       {.name = "stretch",
-        .states = "a map's largest singular value within 8 u",
-        .unit = "u",
-        .bound = 8,
-        .numbers = 4,
-        .generate = at_every_scale(matrix),
-        .error = stretch_error,
-        .traps = {{"nothing", {0, 0, 0, 0}}, {"the smallest numbers", {5e-324, 0, 0, 5e-324}}},
-        .cases = 1000},
-       {.name = "placed",
-        .states = "a piece of level n within 6 n u (|p| + M) of its place",
-        .unit = "of the bound",
-        .bound = 1,
-        .numbers = 16,
-        .generate = at_every_scale(maps_and_point, {4, 5, 10, 11, 12, 13}),
-        .error = placed_error,
-        .cases = 300},
-       {.name = "near",
-        .states = "after k moves a point within c^k R + 6 u M / (1 - c) of the attractor",
-        .unit = "of the bound",
-        .bound = 1,
-        .numbers = 16,
-        .generate = at_every_scale(maps_and_point, {4, 5, 10, 11, 12, 13}),
-        .error = game_error,
-        .cases = 100},
-       {.name = "dimension",
-        .states = "the sum of all powers is 1 at the dimension, within what 8 u of it are worth",
-        .unit = "of the bound",
-        .bound = 1,
-        .numbers = 3,
-        .generate = ratios_of,
-        .error = dimension_error,
-        .traps = {{"points", {0, 0, 0}}, {"one copy", {0, 0, 0.5}}, {"as large", {1, 0.5, 0.5}}},
-        .cases = 500}}};
+  return {"iterated_functions",
+          {{.name = "contracts",
+            .states = "what makes all lengths smaller is decided exactly",
+            .unit = "wrong decisions",
+            .bound = 0,
+            .numbers = 4,
+            .generate = at_every_scale(matrix),
+            .error = contracts_error,
+            .traps = {{"a turn", {0.6, -0.8, 0.8, 0.6}},
+                      {"as it is", {1, 0, 0, 1}},
+                      {"both values above 1", {2, 0, 0, 2}},
+                      {"a shear", {0.5, 1, 0, 0.5}},
+                      {"one huge, one tiny", {0x1p1000, 0, 0, 5e-324}},
+                      {"the largest numbers", {0x1.fffffffffffffp1023, 1, -1, 0x1.fffffffffffffp1023}}},
+            .cases = 3000},
+           {.name = "stretch",
+            .states = "a map's largest singular value within 8 u",
+            .unit = "u",
+            .bound = 8,
+            .numbers = 4,
+            .generate = at_every_scale(matrix),
+            .error = stretch_error,
+            .traps = {{"nothing", {0, 0, 0, 0}}, {"the smallest numbers", {5e-324, 0, 0, 5e-324}}},
+            .cases = 1000},
+           {.name = "placed",
+            .states = "a piece of level n within 6 n u (|p| + M) of its place",
+            .unit = "of the bound",
+            .bound = 1,
+            .numbers = 16,
+            .generate = at_every_scale(maps_and_point, {4, 5, 10, 11, 12, 13}),
+            .error = placed_error,
+            .cases = 300},
+           {.name = "near",
+            .states = "after k moves a point within c^k R + 6 u M / (1 - c) of the attractor",
+            .unit = "of the bound",
+            .bound = 1,
+            .numbers = 16,
+            .generate = at_every_scale(maps_and_point, {4, 5, 10, 11, 12, 13}),
+            .error = game_error,
+            .cases = 100},
+           {.name = "dimension",
+            .states = "the sum of all powers is 1 at the dimension, within what 8 u of it are worth",
+            .unit = "of the bound",
+            .bound = 1,
+            .numbers = 3,
+            .generate = ratios_of,
+            .error = dimension_error,
+            .traps = {{"points", {0, 0, 0}}, {"one copy", {0, 0, 0.5}}, {"as large", {1, 0.5, 0.5}}},
+            .cases = 500}}};
 }
 
 }  // namespace gradus::stress

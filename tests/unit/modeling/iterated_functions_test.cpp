@@ -303,21 +303,20 @@ double pixels_of(const Play& play) {
 TEST(IteratedFunctions, ExhibitsAreAsWrongAsThePageSays) {
   const Game<double> game{{0.8, 0.3}, 60, 10'000, 1};
   const std::vector<double> leaves = shares_by_area(all(fern)), halves{1, 1};
-  EXPECT_TRUE(test::states(
-      page, "10,000 points of the fern reach {} pixels instead of {}",
-      {pixels_of([&](const auto& plot) { equal_shares(all(fern), leaves, game, plot); }),
-       pixels_of([&](const auto& plot) { chaos_game(all(fern), leaves, game, plot); })}));
-  EXPECT_TRUE(test::states(
-      page, "as many of the dragon reach {} instead of {}",
-      {pixels_of([&](const auto& plot) { low_bits(all(dragon), halves, game, plot); }),
-       pixels_of([&](const auto& plot) { chaos_game(all(dragon), halves, game, plot); })}));
+  EXPECT_TRUE(
+      test::states(page, "10,000 points of the fern reach {} pixels instead of {}",
+                   {pixels_of([&](const auto& plot) { equal_shares(all(fern), leaves, game, plot); }),
+                    pixels_of([&](const auto& plot) { chaos_game(all(fern), leaves, game, plot); })}));
+  EXPECT_TRUE(
+      test::states(page, "as many of the dragon reach {} instead of {}",
+                   {pixels_of([&](const auto& plot) { low_bits(all(dragon), halves, game, plot); }),
+                    pixels_of([&](const auto& plot) { chaos_game(all(dragon), halves, game, plot); })}));
 }
 
 TEST(IteratedFunctions, PointsReachMoreOfTheFernThanPiecesDo) {
   const std::vector<double> shares = shares_by_area(all(fern));
-  const double by_points = pixels_of([&](const auto& plot) {
-    chaos_game(all(fern), shares, Game<double>{{0, 0}, 0, 4096, 1}, plot);
-  });
+  const double by_points = pixels_of(
+      [&](const auto& plot) { chaos_game(all(fern), shares, Game<double>{{0, 0}, 0, 4096, 1}, plot); });
   const double by_pieces = pixels_of([&](const auto& plot) {
     for (const DMap& p : deterministic(all(fern), 6)) plot(p(dvec2{0, 0}));
   });

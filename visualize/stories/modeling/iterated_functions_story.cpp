@@ -55,8 +55,7 @@ void tell_pieces(Narrator& narrator) {
     return true;
   };
   const DPieces pieces = deterministic(subject.all(), levels.last, some(watch, tells));
-  narrator.result(
-      {{"pieces", std::ssize(pieces)}, {"within", largest_stretch(pieces) * levels.reach}});
+  narrator.result({{"pieces", std::ssize(pieces)}, {"within", largest_stretch(pieces) * levels.reach}});
 }
 
 // --- One point
@@ -67,7 +66,7 @@ Game<double> game_of(const Arguments& arguments, const Subject& subject) {
   constexpr double most_moves = 2000;
   const double far = reach<double>(subject.all(), std::array{game.begin}, subject.c);
   const double near = 0.5 * Pixels(subject.attractor).pixel();
-  if (!(far * std::pow(subject.c, most_moves) <= near))
+  if (!(far * gradus::pow(subject.c, most_moves) <= near))
     refuse("maps", "expected maps that bring a point near within {} moves, not by {} a move", most_moves,
            subject.c);
   game.skipped = moves_until(near, far, subject.c);
@@ -139,7 +138,8 @@ const TopicEntry& entry() {
   static const TopicEntry topic = completed<entry>(
       {.name = "iterated_functions",
        .chapter = "modeling",
-       .aliases = {"ifs", "chaos game", "barnsley fern", "sierpinski", "hutchinson operator", "collage theorem"},
+       .aliases = {"ifs", "chaos game", "barnsley fern", "sierpinski", "hutchinson operator",
+                   "collage theorem"},
        .summary = "maps that contract, applied again and again: all pieces, a point at random, the dimension",
        .methods = {{.name = "deterministic",
                     .standing = Standing::taught,
@@ -164,20 +164,21 @@ const TopicEntry& entry() {
                     .tell = tell_game<Choosing::low_bits>,
                     .unread = of_game,
                     .opening = {{"system", "dragon"}}}},
-       .parameters =
-           {choice("system", {"sierpinski", "carpet", "koch", "dragon", "fern"}, "sierpinski", "fern",
-                   "a known system of maps"),
-            instead_of("system", points(1, 8, "maps", "", "0.5,0,0,0.5,0,0 0.5,0,0,0.5,0.5,0",
+       .parameters = {choice("system", {"sierpinski", "carpet", "koch", "dragon", "fern"}, "sierpinski",
+                             "fern", "a known system of maps"),
+                      instead_of("system",
+                                 points(1, 8, "maps", "", "0.5,0,0,0.5,0,0 0.5,0,0,0.5,0.5,0",
                                         "maps of one's own: (x, y) goes to (ax + by + e, cx + dy + f)",
                                         all_numbers, {1e-6, 1e6})),
-            integer(1, 10, "level", "3", "2", "how often all maps are applied to all pieces"),
-            points(3, 12, "shape",
-                   "0.2,0 0.4,0 0.4,0.35 0.65,0.35 0.65,0.5 0.4,0.5 0.4,0.65 0.8,0.65 0.8,0.8 0.2,0.8",
-                   "0,0 1,0 0.5,1", "the corners of the first shape", xy, {1e-6, 1e6}),
-            points(1, 1, "begin", "0.8,0.3", "1,1", "where the point begins", xy, {1e-6, 1e6}),
-            integer(10, 100'000, "points", "10000", "1000", "how many points are plotted"),
-            integer(0, 1'000'000, "seed", "1", "7", "which random numbers"),
-            integer(1, 40, "halvings", "8", "12", "how often the interval is halved")},
+                      integer(1, 10, "level", "3", "2", "how often all maps are applied to all pieces"),
+                      points(
+                          3, 12, "shape",
+                          "0.2,0 0.4,0 0.4,0.35 0.65,0.35 0.65,0.5 0.4,0.5 0.4,0.65 0.8,0.65 0.8,0.8 0.2,0.8",
+                          "0,0 1,0 0.5,1", "the corners of the first shape", xy, {1e-6, 1e6}),
+                      points(1, 1, "begin", "0.8,0.3", "1,1", "where the point begins", xy, {1e-6, 1e6}),
+                      integer(10, 100'000, "points", "10000", "1000", "how many points are plotted"),
+                      integer(0, 1'000'000, "seed", "1", "7", "which random numbers"),
+                      integer(1, 40, "halvings", "8", "12", "how often the interval is halved")},
        .examples = {"--system dragon --level 8 --step last", "--method chaos_game --system fern",
                     "--method dimension --system koch"},
        .checking = &checking()});

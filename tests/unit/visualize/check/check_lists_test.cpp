@@ -270,6 +270,8 @@ std::vector<Row> table() {
       {"fractal_curve", "tips", {}, is_in_order},
       {"fractal_curve", "segments", {{"shape", "curve"}}, is_in_order},
       {"iterated_functions", "pieces", {{"level", "2"}}, is_in_order},
+      {"iterated_functions", "images", {{"level", "2"}}, names_the_same},
+      {"iterated_functions", "pieces", {{"system", "koch"}}, is_in_order},
       {"back_face_culling", "signs", {}, are_the_signs_of_a_cube},
       {"painter",
        "order",

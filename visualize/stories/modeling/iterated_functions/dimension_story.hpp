@@ -60,16 +60,16 @@ class DimensionStory : public Past<steps::Started, Widened, Halved, Enclosed> {
   View draw() const {
     View view;
     add_chart(view);
-    const auto ends = now<Enclosed>()  ? std::pair{now<Enclosed>()->low, now<Enclosed>()->high}
-                      : last<Halved>() ? std::pair{last<Halved>()->low, last<Halved>()->high}
+    const auto ends = now<Enclosed>()   ? std::pair{now<Enclosed>()->low, now<Enclosed>()->high}
+                      : last<Halved>()  ? std::pair{last<Halved>()->low, last<Halved>()->high}
                       : last<Widened>() ? std::pair{last<Widened>()->low, last<Widened>()->high}
                                         : std::pair{0.0, 1.0};
     if (const auto* e = now<Enclosed>()) {
       add_point(view, Role::result, (e->low + e->high) / 2);
       return view;
     }
-    view.add({"d between", Role::candidate, Area{{Extent{chart_.at({ends.first, 0}),
-                                                         chart_.at({ends.second, top()})}.corners()}}});
+    view.add({"d between", Role::candidate,
+              Area{{Extent{chart_.at({ends.first, 0}), chart_.at({ends.second, top()})}.corners()}}});
     for (const double s : {ends.first, ends.second})
       view.add({fmt::format("e end {}", s == ends.first ? 1 : 2), Role::candidate,
                 Stroke{chart_.at({s, 0}), chart_.at({s, top()}), false, true}});

@@ -23,7 +23,13 @@ class GameStory {
  public:
   GameStory(const Words& words, const Subject& subject, Choosing how, const Game<double>& game,
             const Panel& panel)
-      : words_(words), subject_(subject), how_(how), game_(game), panel_(panel), pixels_(subject.attractor), at_(game.begin) {
+      : words_(words),
+        subject_(subject),
+        how_(how),
+        game_(game),
+        panel_(panel),
+        pixels_(subject.attractor),
+        at_(game.begin) {
     constexpr int most_levels = 16;
     level_ = subject.levels_of(game.points, most_levels);
     const Ring points = subject.points(level_);
