@@ -69,14 +69,16 @@ class GameStory {
   }
   void show(Board& board, const Moved<double>& m) {
     // The last ways lie over one picture, so that not each of them brings its own
-    if (!is_late(m.move) || picture_.marks.empty()) picture_ = drawn();
+    if (!late_) picture_ = drawn();
+    late_ = is_late(m.move);
     View view = picture_;
     add_way(view);
     view.add({"f move", Role::current, Stroke{panel_.at(from_), panel_.at(m.to), true}});
     view.add({"g from", Role::candidate, Dot{panel_.at(from_), true}});
     view.add_named("g to", Role::current, panel_.at(m.to), name_of_map(m.map));
     board.milestone(std::move(view));
-    board.tells(m.move == game_.skipped + game_.points - 2 ? 1 : 0);
+    const bool telling = how_ == Choosing::by_area && m.move == game_.skipped + game_.points - 2;
+    board.tells(telling ? 1 : 0);
   }
   Event say(const Moved<double>& m) const {
     Event event{.text = m.plotted ? "moved" : "moved.skipped",
@@ -98,7 +100,10 @@ class GameStory {
                                           "plotted", "skipped");
     return event;
   }
-  void show(Board& board, const GameFinished&) { board.milestone(drawn()); }
+  void show(Board& board, const GameFinished&) {
+    board.milestone(drawn());
+    board.tells(how_ == Choosing::by_area ? 0 : 1);
+  }
   Event say(const GameFinished& f) const {
     Event event{.text = "game.finished",
                 .facts = {{"moves", f.moves}, {"pixels", pixels_.reached()}},
@@ -151,6 +156,7 @@ class GameStory {
   dvec2 from_{}, at_;  ///< before the last move, and behind it
   std::deque<dvec2> way_;
   View picture_;
+  bool late_ = false;  ///< the picture is that of the last moves
 };
 
 }  // namespace gradus::iterated_functions
