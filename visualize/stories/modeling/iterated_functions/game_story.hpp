@@ -1,8 +1,6 @@
 #pragma once
 // One point at random: which map moves it where, and which pixels have been reached.
 
-#include <deque>
-
 #include "stories/modeling/iterated_functions/pieces_story.hpp"
 
 namespace gradus::iterated_functions {
@@ -48,7 +46,7 @@ class GameStory {
   void note(const Moved<double>& m) {
     from_ = std::exchange(at_, m.to);
     way_.push_back(from_);
-    if (way_.size() > 8) way_.pop_front();
+    if (way_.size() > 8) way_.erase(way_.begin());
   }
   /// Of thousands of moves the first ones, those where the points are ten times as many, and the last ones.
   bool tells_move(Whole move) const {
@@ -154,7 +152,7 @@ class GameStory {
   int level_ = 0;
   Whole pieces_ = 0, of_pieces_ = 0, of_as_many_ = 0, plotted_ = 0;
   dvec2 from_{}, at_;  ///< before the last move, and behind it
-  std::deque<dvec2> way_;
+  Ring way_;
   View picture_;
   bool late_ = false;  ///< the picture is that of the last moves
 };
