@@ -87,7 +87,7 @@ struct GameFinished {
 
 /// By how much a map stretches lengths at most: its largest singular value.
 ///
-/// Domain: numbers up to 2^1000 in size. Accuracy: 8 u and one of the smallest subnormal numbers.
+/// Domain: numbers up to 2^1000 in size. Accuracy: 8 u and two of the smallest subnormal numbers.
 template <std::floating_point T>
 T stretch(const Map<T>& m) {
   // A turn with a scale, and a mirror image with one: their sizes add up where both agree
@@ -258,7 +258,7 @@ inline Index chosen(std::span<const double> shares, double u) {
 template <std::floating_point T>
 struct Game {
   Point<T> begin{0};
-  Whole skipped = 0, points = 10'000;
+  Whole skip = 0, points = 10'000;
   std::uint64_t seed = 1;
 };
 
@@ -270,8 +270,8 @@ void expect_game(Maps<T> maps, std::span<const double> shares, const Game<T>& ga
   for (const double share : shares)
     expects(0 < share && share <= 0x1p1000, "shares above 0 and up to 2^1000, not {}", share);
   expects(std::isfinite(game.begin.x) && std::isfinite(game.begin.y), "a finite point to begin with");
-  expects(0 <= game.skipped && game.skipped <= most && 0 <= game.points && game.points <= most,
-          "0 to 2^40 moves, not {} and {}", game.skipped, game.points);
+  expects(0 <= game.skip && game.skip <= most && 0 <= game.points && game.points <= most,
+          "0 to 2^40 moves, not {} and {}", game.skip, game.points);
 }
 
 /// Moves one point again and again by a map drawn at random; after the first moves it stays at the attractor
@@ -293,16 +293,16 @@ void chaos_game(Maps<T> maps, std::span<const double> shares, const Game<T>& gam
   expect_game(maps, shares, game);
   Random random(game.seed);
   Point<T> p = game.begin;
-  Whole moves = game.skipped + game.points;
-  for (Whole k = 1; k <= moves; ++k) {
+  Whole n = game.skip + game.points;
+  for (Whole k = 1; k <= n; ++k) {
     double u = random.unit();
     Index i = chosen(shares, u);
     p = maps[i](p);
     // The first moves only lead there
-    if (k > game.skipped) plot(p);
-    if constexpr (observed<O>) observer(Moved<T>{k, i, p, k > game.skipped});
+    if (k > game.skip) plot(p);
+    if constexpr (observed<O>) observer(Moved<T>{k, i, p, k > game.skip});
   }
-  if constexpr (observed<O>) observer(GameFinished{moves});
+  if constexpr (observed<O>) observer(GameFinished{n});
 }
 
 // --- Known systems -----------------------------------------------

@@ -39,7 +39,7 @@ constexpr bool is_similarity(const Map<T>& m) {
 }
 
 /// Domain: ratios from 0 to 1, s >= 0. Accuracy: that of its powers, and a sum.
-inline double sum_of_powers(std::span<const double> ratios, double s) {
+inline double sum_at(std::span<const double> ratios, double s) {
   double sum = 0;
   for (const double r : ratios) sum += gradus::pow(r, s);
   return sum;
@@ -63,14 +63,14 @@ double similarity_dimension(std::span<const double> ratios, int halvings, O&& ob
   for (const double r : ratios) expects(0 <= r && r < 1, "ratios from 0 to below 1, not {}", r);
   double low = 0, high = 1;
   // Until the sum is 1 somewhere between
-  while (sum_of_powers(ratios, high) > 1) {
+  while (sum_at(ratios, high) > 1) {
     low = high;
     high *= 2;
     if constexpr (observed<O>) observer(Widened{low, high});
   }
   for (int k = 0; k < halvings; ++k) {
     double s = (low + high) / 2;
-    double sum = sum_of_powers(ratios, s);
+    double sum = sum_at(ratios, s);
     // A larger s makes it smaller
     (sum > 1 ? low : high) = s;
     if constexpr (observed<O>) observer(Halved{s, sum, low, high});

@@ -75,7 +75,7 @@ double stretch_error(const Input& i) {
   if (!all_finite(i) || std::ranges::any_of(i, [](double x) { return std::abs(x) > largest_size; })) return 0;
   const ExactScope scope;
   const DMap m{i[0], i[1], i[2], i[3], 0, 0};
-  const Exact found(stretch(m)), unit = found * Exact(u), least(0x1p-1074);
+  const Exact found(stretch(m)), unit = found * Exact(u), least(0x1p-1073);
   const Squares squares(m);
   constexpr int many = 64;
   for (int k = 0; k < many; ++k) {

@@ -69,7 +69,7 @@ Game<double> game_of(const Arguments& arguments, const Subject& subject) {
   if (!(far * gradus::pow(subject.c, most_moves) <= near))
     refuse("maps", "expected maps that bring a point near within {} moves, not by {} a move", most_moves,
            subject.c);
-  game.skipped = moves_until(near, far, subject.c);
+  game.skip = moves_until(near, far, subject.c);
   return game;
 }
 
@@ -77,7 +77,7 @@ template <Choosing how>
 void tell_game(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   const Game<double> game = game_of(narrator.arguments(), subject);
-  Extent extent = subject.attractor;
+  Extent extent = with_frames(subject);
   extent.add(game.begin);
   const auto reaches = [&](const auto& step) {
     if constexpr (std::same_as<std::decay_t<decltype(step)>, Moved<double>>) extent.add(step.to);
@@ -105,7 +105,7 @@ void tell_game(Narrator& narrator) {
     return true;
   };
   play(how, subject, game, [&](dvec2 p) { story.plot(p); }, some(watch, tells));
-  narrator.result({{"pixels", story.reached()}, {"skipped", game.skipped}});
+  narrator.result({{"pixels", story.reached()}, {"skipped", game.skip}});
 }
 
 // --- Dimension
@@ -120,7 +120,6 @@ void tell_dimension(Narrator& narrator) {
                    {Role::boundary, "one"},
                    {Role::candidate, "between"},
                    {Role::current, "tried"},
-                   {Role::past, "attractor"},
                    {Role::result, "dimension"}});
   DimensionStory story(narrator.words(), subject, ratios);
   const auto watch = narrator.watcher(story);
@@ -175,7 +174,7 @@ const TopicEntry& entry() {
                           3, 12, "shape",
                           "0.2,0 0.4,0 0.4,0.35 0.65,0.35 0.65,0.5 0.4,0.5 0.4,0.65 0.8,0.65 0.8,0.8 0.2,0.8",
                           "0,0 1,0 0.5,1", "the corners of the first shape", xy, {1e-6, 1e6}),
-                      points(1, 1, "begin", "0.8,0.3", "1,1", "where the point begins", xy, {1e-6, 1e6}),
+                      points(1, 1, "begin", "0.3,0.3", "1,1", "where the point begins", xy, {1e-6, 1e6}),
                       integer(10, 100'000, "points", "10000", "1000", "how many points are plotted"),
                       integer(0, 1'000'000, "seed", "1", "7", "which random numbers"),
                       integer(1, 40, "halvings", "8", "12", "how often the interval is halved")},

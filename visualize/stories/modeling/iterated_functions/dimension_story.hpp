@@ -12,7 +12,7 @@ class DimensionStory : public Past<steps::Started, Widened, Halved, Enclosed> {
       : words_(words),
         subject_(subject),
         ratios_(ratios),
-        chart_({{4, 3.5}, {34, 25}}, {{0, 0}, {widest(), static_cast<double>(ratios.size())}},
+        chart_({{5, 3.5}, {34, 25}}, {{0, 0}, {widest(), static_cast<double>(ratios.size())}},
                Panel::Fit::stretched),
         pixels_(subject.attractor) {
     constexpr Whole enough = 20'000;
@@ -22,11 +22,11 @@ class DimensionStory : public Past<steps::Started, Widened, Halved, Enclosed> {
 
   Event say(const steps::Started&) const {
     return {.text = "dimension.started",
-            .words = {{"maps", std::ssize(ratios_)}, {"sum", sum_of_powers(ratios_, 1)}},
-            .row = {"1", sum_of_powers(ratios_, 1), 0, 1}};
+            .words = {{"maps", std::ssize(ratios_)}, {"sum", sum_at(ratios_, 1)}},
+            .row = {"1", sum_at(ratios_, 1), 0, 1}};
   }
   Event say(const Widened& w) const {
-    const double sum = sum_of_powers(ratios_, w.high);
+    const double sum = sum_at(ratios_, w.high);
     return {.text = "widened",
             .facts = {{"high", w.high}, {"sum", sum}},
             .words = {{"low", w.low}},
@@ -68,21 +68,22 @@ class DimensionStory : public Past<steps::Started, Widened, Halved, Enclosed> {
       add_point(view, Role::result, (e->low + e->high) / 2);
       return view;
     }
+    const auto on_curve = [&](double s) { return chart_.at({s, sum_at(ratios_, s)}); };
     view.add({"d between", Role::candidate,
-              Area{{Extent{chart_.at({ends.first, 0}), chart_.at({ends.second, top()})}.corners()}}});
+              Area{{{chart_.at({ends.first, 0}), chart_.at({ends.second, 0}), on_curve(ends.second),
+                     on_curve(ends.first)}}}});
     for (const double s : {ends.first, ends.second})
       view.add({fmt::format("e end {}", s == ends.first ? 1 : 2), Role::candidate,
-                Stroke{chart_.at({s, 0}), chart_.at({s, top()}), false, true}});
+                Stroke{chart_.at({s, 0}), on_curve(s), false, true}});
     if (const auto* h = now<Halved>()) add_point(view, Role::current, h->s);
     if (const auto* w = now<Widened>()) add_point(view, Role::current, w->high);
     return view;
   }
 
  private:
-  double top() const { return static_cast<double>(ratios_.size()); }
   double widest() const {
     double high = 1;
-    while (sum_of_powers(ratios_, high) > 1) high *= 2;
+    while (sum_at(ratios_, high) > 1) high *= 2;
     return high;
   }
   void add_chart(View& view) const {
@@ -92,15 +93,17 @@ class DimensionStory : public Past<steps::Started, Widened, Halved, Enclosed> {
     Ring curve;
     for (int k = 0; k <= parts; ++k) {
       const double s = widest() * k / parts;
-      curve.push_back(chart_.at({s, sum_of_powers(ratios_, s)}));
+      curve.push_back(chart_.at({s, sum_at(ratios_, s)}));
     }
     view.add({"c sum", Role::input, Path{curve}});
     // Where the curve never is
-    const Panel corner({{20, 12}, {34, 25}}, subject_.attractor);
-    pixels_.add_to(view, "a attractor", Role::past, corner);
+    constexpr double left = 0.62;
+    const dvec2 below = chart_.at({left * widest(), sum_at(ratios_, left * widest())});
+    const Panel corner({{below.x, std::max(below.y + 1, 13.5)}, {34, 25}}, subject_.attractor);
+    pixels_.add_to(view, corner);
   }
   void add_point(View& view, Role role, double s) const {
-    const dvec2 at = chart_.at({s, sum_of_powers(ratios_, s)});
+    const dvec2 at = chart_.at({s, sum_at(ratios_, s)});
     view.add({"f down", role, Stroke{chart_.at({s, 0}), at}});
     view.add_named("g at", role, at, figure_real(s));
   }

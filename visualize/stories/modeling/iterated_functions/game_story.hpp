@@ -39,7 +39,9 @@ class GameStory {
   Whole reached() const { return pixels_.reached(); }
 
   void plot(dvec2 p) {
+    const Whole before = pixels_.reached();
     pixels_.plot(p);
+    if (pixels_.few() && pixels_.reached() > before) few_.push_back(p);
     if (++plotted_ == pieces_) of_as_many_ = pixels_.reached();
   }
   /// Keeps the way of the last moves, told or not.
@@ -50,7 +52,7 @@ class GameStory {
   }
   /// Of thousands of moves the first ones, those where the points are ten times as many, and the last ones.
   bool tells_move(Whole move) const {
-    const Whole k = move - game_.skipped;
+    const Whole k = move - game_.skip;
     const bool power = k == 1 || k == 10 || k == 100 || k == 1000 || k == 10'000 || k == 100'000;
     return power || move <= first_told || is_late(move) || (k > 0 && k <= 3);
   }
@@ -62,7 +64,7 @@ class GameStory {
   }
   Event say(const steps::Started&) const {
     return {.text = "game.started",
-            .words = {{"begin", game_.begin}, {"skipped", game_.skipped}, {"pixel", 0.5 * pixels_.pixel()}},
+            .words = {{"begin", game_.begin}, {"skipped", game_.skip}, {"pixel", 0.5 * pixels_.pixel()}},
             .row = {0, "", game_.begin, 0}};
   }
   void show(Board& board, const Moved<double>& m) {
@@ -75,7 +77,7 @@ class GameStory {
     view.add({"g from", Role::candidate, Dot{panel_.at(from_), true}});
     view.add_named("g to", Role::current, panel_.at(m.to), name_of_map(m.map));
     board.milestone(std::move(view));
-    const bool telling = how_ == Choosing::by_area && m.move == game_.skipped + game_.points - 2;
+    const bool telling = how_ == Choosing::by_area && m.move == game_.skip + game_.points - 2;
     board.tells(telling ? 1 : 0);
   }
   Event say(const Moved<double>& m) const {
@@ -89,12 +91,12 @@ class GameStory {
                           {"to", m.to},
                           {"points", plotted_},
                           {"pixels", pixels_.reached()},
-                          {"left", game_.skipped - m.move}},
+                          {"left", game_.skip - m.move}},
                 .row = {m.move, name_of_map(m.map), m.to, pixels_.reached()},
                 .key = figure_number(m.move),
                 .phase = words_.say(m.plotted ? "phase.plotting" : "phase.skipping")};
     event.decides = m.plotted ? where_to(words_, subject_, m.map, from_)
-                              : yes_or_no(words_, "question.plotted", {{"skipped", game_.skipped}}, false,
+                              : yes_or_no(words_, "question.plotted", {{"skipped", game_.skip}}, false,
                                           "plotted", "skipped");
     return event;
   }
@@ -109,7 +111,8 @@ class GameStory {
                           {"pieces", pieces_},
                           {"level", level_},
                           {"of_pieces", of_pieces_},
-                          {"of_as_many", of_as_many_}}};
+                          {"of_as_many", of_as_many_}},
+                .ends = true};
     if (how_ == Choosing::by_area) return event;
     Pixels right(subject_.attractor);
     play(Choosing::by_area, subject_, game_, [&](dvec2 p) { right.plot(p); }, Unobserved{});
@@ -122,7 +125,7 @@ class GameStory {
   static constexpr Whole first_told = 6, last_told = 8;
 
   bool is_late(Whole move) const {
-    return game_.points > 2 * last_told && move > game_.skipped + game_.points - last_told;
+    return game_.points > 2 * last_told && move > game_.skip + game_.points - last_told;
   }
   View begun() const {
     View view;
@@ -131,7 +134,9 @@ class GameStory {
   }
   View drawn() const {
     View view = begun();
-    if (pixels_.reached() > 0) pixels_.add_to(view, "a pixels", Role::past, panel_);
+    if (!pixels_.few()) pixels_.add_to(view, panel_);
+    for (Index k = 0; pixels_.few() && k < few_.size(); ++k)
+      view.add({fmt::format("d reached {:02}", k), Role::past, Dot{panel_.at(few_[k])}});
     return view;
   }
   /// How the point has come to where it was moved from.
@@ -152,7 +157,7 @@ class GameStory {
   int level_ = 0;
   Whole pieces_ = 0, of_pieces_ = 0, of_as_many_ = 0, plotted_ = 0;
   dvec2 from_{}, at_;  ///< before the last move, and behind it
-  Ring way_;
+  Ring way_, few_;
   View picture_;
   bool late_ = false;  ///< the picture is that of the last moves
 };

@@ -42,7 +42,7 @@ inline Levels levels_of(const Arguments& arguments, const Subject& subject) {
   if (const int fit = subject.levels_of(most, last); fit < last)
     refuse("level", "expected at most {} levels of {} maps, so that {} pieces are drawn", fit,
            subject.maps.size(), most);
-  Levels levels{arguments.points("shape"), last, {}, 0, subject.attractor};
+  Levels levels{arguments.points("shape"), last, {}, 0, with_frames(subject)};
   levels.reach = reach<double>(subject.all(), levels.shape, subject.c);
   for (int n = 0; n <= last; ++n) {
     levels.pieces.push_back(deterministic(subject.all(), n));

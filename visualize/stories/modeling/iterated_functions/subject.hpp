@@ -74,19 +74,37 @@ inline Subject subject_of(const Arguments& arguments) {
   }
   subject.c = contraction(subject.all());
   if (subject.c >= 1) refuse("maps", "expected maps that make lengths smaller by more than a rounding error");
-  constexpr Whole enough = 4096;
-  constexpr int most_levels = 12;
-  for (const dvec2 p : subject.points(subject.levels_of(enough, most_levels))) subject.attractor.add(p);
+  // A point of the attractor stays there; those that stay where they are may be its corners
+  const Game<double> game{fixed_point(subject.maps[0]), 0, 20'000};
+  const std::vector<double> shares = shares_by_area(subject.all());
+  chaos_game(subject.all(), shares, game, [&](dvec2 p) { subject.attractor.add(p); });
+  for (const DMap& f : subject.maps) subject.attractor.add(fixed_point(f));
   return subject;
+}
+
+/// All that the frames need of the plane.
+inline Extent with_frames(const Subject& subject) {
+  Extent extent = subject.attractor;
+  for (const DMap& f : subject.maps)
+    for (const dvec2 corner : placed(f, subject.attractor.corners())) extent.add(corner);
+  return extent;
 }
 
 /// The attractor's frame, and where each map lays it.
 inline void add_frames(View& view, const Subject& subject, const Panel& panel) {
   const Ring frame = subject.attractor.corners();
-  view.add({"b frame", Role::boundary, Path{panel.at(frame), true, true}});
+  const auto add = [&](const Ring& ring, Index number) {
+    for (Index k = 0; k < ring.size(); ++k) {
+      const dvec2 from = panel.at(ring[k]), to = panel.at(ring[(k + 1) % ring.size()]);
+      if (from != to)
+        view.add(
+            {fmt::format("b frame {} {}", number, k), Role::boundary, Stroke{from, to, false, true, true}});
+    }
+  };
+  add(frame, 0);
   for (Index i = 0; i < subject.maps.size(); ++i) {
     const Ring image = placed(subject.maps[i], frame);
-    view.add({fmt::format("b frame {}", i + 1), Role::boundary, Path{panel.at(image), true, true}});
+    add(image, i + 1);
     view.add({fmt::format("h frame {}", i + 1), Role::boundary, Label{panel.at(image[3]), name_of_map(i)}});
   }
 }
@@ -96,7 +114,7 @@ inline void add_frames(View& view, const Subject& subject, const Panel& panel) {
 /// The pixels of the attractor's frame that points have reached.
 class Pixels {
  public:
-  static constexpr int most = 320;  ///< along the longer side
+  static constexpr int most = 200;  ///< along the longer side
 
   explicit Pixels(const Extent& frame)
       : frame_(frame), pixel_(std::max(frame.size().x, frame.size().y) / most) {
@@ -113,9 +131,11 @@ class Pixels {
     image_[at] = ink;
     ++reached_;
   }
-  void add_to(View& view, const std::string& id, Role role, const Panel& panel) const {
+  /// So few of them that each is drawn as a dot.
+  bool few() const { return reached_ <= 16; }
+  void add_to(View& view, const Panel& panel) const {
     const dvec2 size{image_.width(), image_.height()};
-    view.add({id, role,
+    view.add({"a pixels", Role::guide,
               Picture{panel.at(frame_.lower), panel.at(frame_.lower + pixel_ * size),
                       std::make_shared<const Image>(image_)}});
   }
