@@ -77,8 +77,8 @@ class GameStory {
     view.add({"g from", Role::candidate, Dot{panel_.at(from_), true}});
     view.add_named("g to", Role::current, panel_.at(m.to), name_of_map(m.map));
     board.milestone(std::move(view));
-    const bool telling = how_ == Choosing::by_area && m.move == game_.skip + game_.points - 2;
-    board.tells(telling ? 1 : 0);
+    // Of the last moves the longest is seen best
+    board.tells(late_ && how_ == Choosing::by_area ? length_between(panel_.at(from_), panel_.at(m.to)) : 0);
   }
   Event say(const Moved<double>& m) const {
     Event event{.text = m.plotted ? "moved" : "moved.skipped",

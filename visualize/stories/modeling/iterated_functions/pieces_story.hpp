@@ -77,7 +77,7 @@ class PiecesStory : public Past<steps::Started, Mapped<double>, LevelDone, Finis
   }
   Event say(const LevelDone& d) const {
     const double within = d.largest * levels_.reach;
-    return {.text = "level_done",
+    return {.text = d.level == 1 ? "level_done.first" : "level_done",
             .facts = {{"level", d.level}, {"pieces", d.pieces}, {"largest", d.largest}, {"within", within}},
             .words = {{"before", static_cast<std::int64_t>(of_level(d.level - 1).size())},
                       {"maps", std::ssize(subject_.maps)}},
