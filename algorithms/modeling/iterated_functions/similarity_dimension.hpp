@@ -45,6 +45,11 @@ inline double sum_at(std::span<const double> ratios, double s) {
   return sum;
 }
 
+inline void expect_ratios(std::span<const double> ratios, int halvings) {
+  expects(!ratios.empty() && 0 <= halvings && halvings <= 100, "a ratio or more, up to 100 halvings");
+  for (const double r : ratios) expects(0 <= r && r < 1, "ratios from 0 to below 1, not {}", r);
+}
+
 /// The s for which the sum of all r^s is 1, by halving an interval: the dimension of the figure where the
 /// copies meet in borders at most, else no less than it.
 /// Source: P. A. P. Moran, Additive functions of intervals and Hausdorff measure, 1946.
@@ -59,8 +64,7 @@ inline double sum_at(std::span<const double> ratios, double s) {
 /// Errors: ContractViolation outside the domain.
 template <Observer<Widened, Halved, Enclosed> O = Unobserved>
 double similarity_dimension(std::span<const double> ratios, int halvings, O&& observer = {}) {
-  expects(!ratios.empty() && 0 <= halvings && halvings <= 100, "a ratio or more, up to 100 halvings");
-  for (const double r : ratios) expects(0 <= r && r < 1, "ratios from 0 to below 1, not {}", r);
+  expect_ratios(ratios, halvings);
   double low = 0, high = 1;
   // Until the sum is 1 somewhere between
   while (sum_at(ratios, high) > 1) {
