@@ -379,7 +379,7 @@ std::vector<Place<T>> back_project(const Raster<T>& depth, const Pinhole<T>& cam
         continue;
       }
       expect_depth(z);
-      // From the middle of its pixel
+      // From its pixel's middle
       T u = T(i) + half - c.x;
       T v = c.y - (T(j) + half);
       T x = u * z / f;
