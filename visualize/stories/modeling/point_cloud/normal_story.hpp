@@ -298,7 +298,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   /// All points in the light of their normals; beside it the right ones, or points without any.
   void add_pictures(View& view) const {
     const bool wrong = way_ != Way::right;
-    const Extent left{{0.4, 0.4}, {24, 24}}, right{{25.4, 10.4}, {39, 24}};
+    const Extent left{{0.1, 0.4}, {23.9, 24.2}}, right{{25.1, 9.4}, {39.9, 24.2}};
     add_picture(view, "a", left, words_.say(wrong ? "picture.wrong" : "picture"), whole_.normals, false);
     add_picture(view, "b", right, words_.say(wrong ? "picture.right" : "picture.plain"), right_, true);
     if (!wrong && is_known())
