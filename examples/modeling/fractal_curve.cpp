@@ -22,7 +22,7 @@ int main() {
       fmt::print("level {}: {} segments, area {}/{}\n", step.level, step.segments, step.triangles,
                  power(9, step.level));
   };
-  koch(base_of(Shape::snowflake), 5, watch);
+  koch(base_of(fractal_curve::Shape::snowflake), 5, watch);
 
   // A side of it as a text
   fmt::print("{}\n", rewrite("F", koch_system.rules, 2));
