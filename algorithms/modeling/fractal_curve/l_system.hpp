@@ -167,6 +167,8 @@ std::string rewrite(std::string text, Rules rules, int rounds, O&& observer = {}
 
 constexpr bool draws(char symbol) { return symbol == 'F' || symbol == 'G'; }
 constexpr bool walks(char symbol) { return draws(symbol) || symbol == 'f'; }
+/// To the left; most symbols make none.
+constexpr int turn_of(char symbol) { return symbol == '+' ? 1 : symbol == '-' ? -1 : 0; }
 
 /// The first closing bracket that none was opened for, or the last opening one that stays open, from 0 on;
 /// the text's length where there is none.
@@ -221,14 +223,13 @@ void turtle(std::string_view text, Way&& way, Draw&& draw, O&& observer = {}) {
   Stand<P> now;
   for (const char& s : text) {
     const P a = now.at;
-    if (s == '+') ++now.turn;
-    if (s == '-') --now.turn;
     if (s == '[') push(kept, now);
     if (s == ']') now = pop(kept);
     if (walks(s)) {
       now.at += way(now.turn);
     }
     if (draws(s)) draw(a, now.at);
+    now.turn += turn_of(s);
     if constexpr (observed<O>) observer(SymbolRead<P>{place_in(text, s), s, a, now, kept.size()});
   }
   if constexpr (observed<O>) observer(WalkFinished{std::ssize(text)});

@@ -298,9 +298,9 @@ void chaos_game(Maps<T> maps, std::span<const double> shares, const Game<T>& gam
     double u = random.unit();
     Index i = chosen(shares, u);
     p = maps[i](p);
+    if constexpr (observed<O>) observer(Moved<T>{k, i, p, k > game.skip});
     // The first moves only lead there
     if (k > game.skip) plot(p);
-    if constexpr (observed<O>) observer(Moved<T>{k, i, p, k > game.skip});
   }
   if constexpr (observed<O>) observer(GameFinished{n});
 }

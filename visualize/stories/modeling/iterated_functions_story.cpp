@@ -178,7 +178,7 @@ const TopicEntry& entry() {
                       integer(10, 100'000, "points", "10000", "1000", "how many points are plotted"),
                       integer(0, 1'000'000, "seed", "1", "7", "which random numbers"),
                       integer(1, 40, "halvings", "8", "12", "how often the interval is halved")},
-       .examples = {"--system dragon --level 8 --step last", "--method chaos_game --system fern",
+       .examples = {"--system dragon --level 8", "--method chaos_game --system fern",
                     "--method dimension --system koch"},
        .checking = &checking()});
   return topic;

@@ -69,10 +69,13 @@ class KochStory : public Past<steps::Started, Replaced, LevelDone, Finished> {
       view.add({"a right", Role::candidate, Path{panel_.at(subject_.right_way()), false, true}});
     const Replaced* r = now<Replaced>();
     const int level = r ? r->level : last<LevelDone>() ? last<LevelDone>()->level : 0;
-    if (level == 0) add_base(view);
+    if (level == 0) add(view, "b base", Role::input, subject_.way(0));
     if (level > 0 && !now<Finished>()) add(view, "b before", Role::past, subject_.way(level - 1));
     if (level > 0 && !r) add(view, "c after", Role::result, subject_.way(level));
-    if (r) add_replaced(view, *r);
+    if (r)
+      add_replaced(view, *r);
+    else
+      add_ends(view);
     return view;
   }
 
@@ -102,10 +105,12 @@ class KochStory : public Past<steps::Started, Replaced, LevelDone, Finished> {
   void add(View& view, const std::string& id, Role role, const Way& way) const {
     view.add({id, role, Path{panel_.at(way)}});
   }
-  void add_base(View& view) const {
-    add(view, "b base", Role::input, subject_.way(0));
-    view.add({"c first", Role::input, Dot{panel_.at(subject_.base.a), true}});
-    view.add({"c last", Role::input, Dot{panel_.at(subject_.base.b), true}});
+  /// Of the base: they stay where they are.
+  void add_ends(View& view) const {
+    for (const dvec2 end : {subject_.base.a, subject_.base.b}) {
+      const std::string name = figure_place(end);
+      view.add_named("d end " + name, Role::input, panel_.at(end), name);
+    }
   }
   /// What has been replaced so far, and the one at hand with its names.
   void add_replaced(View& view, const Replaced& r) const {

@@ -84,7 +84,7 @@ class TextLine {
 };
 
 constexpr double upper_line = 25.2, lower_line = 21.7;
-constexpr Extent below_text{{0.7, 1.4}, {35.3, 23.9}};
+constexpr Extent below_text{{0.2, 1.2}, {35.8, 24}};
 
 /// Steps of these symbols, in as few marks as they hang together.
 inline void add_steps(View& view, const std::string& id, Role role, const Panel& panel,
@@ -335,7 +335,7 @@ class TurtleStory : public Past<steps::Started, SymbolRead<dvec2>, WalkFinished>
   }
   void add_turtle(View& view, const SymbolRead<dvec2>& r) const {
     const dvec2 from = panel_.at(r.from), at = panel_.at(r.now.at);
-    if (draws(r.symbol)) view.add({"d step", Role::current, Stroke{from, at, true}});
+    if (draws(r.symbol)) view.add({"d step", Role::current, Stroke{from, at}});
     const dvec2 way = plane_way(r.now.turn, subject_.system.degrees);
     constexpr double long_enough = 2;
     // It looks much the way that it comes back: one arrow of the two

@@ -12,7 +12,7 @@ class DimensionStory : public Past<steps::Started, Widened, Halved, Enclosed> {
       : words_(words),
         subject_(subject),
         ratios_(ratios),
-        chart_({{5, 3.5}, {34, 25}}, {{0, 0}, {widest(), static_cast<double>(ratios.size())}},
+        chart_({{4.2, 3}, {35.2, 25.6}}, {{0, 0}, {widest(), static_cast<double>(ratios.size())}},
                Panel::Fit::stretched),
         pixels_(subject.attractor) {
     constexpr Whole enough = 20'000;

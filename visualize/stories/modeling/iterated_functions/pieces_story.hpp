@@ -15,7 +15,7 @@ inline std::optional<Decision> where_to(const Words& words, const Subject& subje
   }
   if (answers.size() < 2) return std::nullopt;
   return Decision{words.say("question.where", {{"map", name_of_map(map)}, {"from", from}}), answers, map,
-                  name_of_map(map)};
+                  map == 0 ? "first map" : "later map"};
 }
 
 /// The levels of a shape, complete.

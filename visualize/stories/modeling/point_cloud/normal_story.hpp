@@ -107,7 +107,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
     return {.text = way_ == Way::uncentred ? "centred.uncentred" : "centred",
             .facts = fields_of(c.mean),
             .words = {{"mean", short_place(subject_.own() + c.mean)}},
-            .row = {"m", short_place(subject_.own() + c.mean)},
+            .row = {words_.say("mean"), short_place(subject_.own() + c.mean)},
             .key = "m",
             .phase = words_.say("phase.spread")};
   }
@@ -140,7 +140,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
                           {"normal", short_place(t.normal)},
                           {"along", short_real(along)}},
                 .note = words_.say(t.turned ? "effect.turned" : "effect.kept"),
-                .row = {"n", short_place(t.normal)},
+                .row = {words_.say("normal"), short_place(t.normal)},
                 .key = "n",
                 .phase = words_.say("phase.side")};
     if (way_ != Way::unturned)
@@ -213,8 +213,11 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
       view.add({fmt::format("l {:04}", i), Role::candidate,
                 Stroke{at(last<Centred<double>>() ? middle() : subject_.own()), place, false, false, true}});
     }
-    if (last<Centred<double>>()) view.add_named("q m", Role::accepted, at(middle()), "m");
-    view.add_named("r p", Role::current, at(subject_.own()), "p");
+    if (last<Centred<double>>()) view.add({"q m", Role::accepted, Dot{at(middle())}});
+    // Later its name would lie among the neighbours' dots
+    if (now<Centred<double>>())
+      view.add({"q m name", Role::accepted, Label{at(middle()), words_.say("mean")}});
+    view.add_named("r p", Role::current, at(subject_.own()), words_.say("own"));
   }
   /// A square across the least variance, and in it the ellipse of twice the others' lengths.
   void add_plane(View& view) const {
@@ -241,7 +244,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
     view.add({"s normal", Role::result, Stroke{at(from), tip, true, !t}});
     view.add({"s other", t ? Role::rejected : Role::result, Stroke{at(from), other, true, true}});
     if (!t) return;
-    view.add({"s name", Role::result, Label{tip, "n"}});
+    view.add({"s name", Role::result, Label{tip, words_.say("normal")}});
     if (way_ == Way::unturned) return;
     view.add({"y sight", Role::measure, Stroke{at(from), at(subject_.eye), false, true, true}});
   }
@@ -271,7 +274,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
     const dvec2 from = panel.at(dvec2{0, 0}), length{0, 0.8 * reach};
     view.add({"x normal", Role::result, Stroke{from, panel.at(length), true, !t}});
     if (t)
-      view.add({"x name", Role::result, Label{panel.at(length), "n"}});
+      view.add({"x name", Role::result, Label{panel.at(length), words_.say("normal")}});
     else
       view.add({"x other", Role::result, Stroke{from, panel.at(-length), true, true}});
   }
@@ -307,7 +310,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   void add_picture(View& view, const std::string& id, const Extent& place, std::string heading,
                    std::span<const dvec3> normals, bool aside) const {
     constexpr int pixels = 560;
-    const Extent shown = widened(cloud_, 0.04);
+    const Extent shown = widened(cloud_, 0.03);
     const double longer = longer_side(shown);
     const Screen screen{shown.centre() - 0.5 * longer, longer, pixels};
     const int radius =
