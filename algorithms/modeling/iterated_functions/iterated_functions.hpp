@@ -165,13 +165,15 @@ void expect_maps(Maps<T> maps) {
   }
 }
 
-inline void expect_levels(Index maps, int levels) {
+template <std::floating_point T>
+void expect_levels(Maps<T> maps, int levels) {
   constexpr int most_levels = 22;
   expects(0 <= levels && levels <= most_levels, "at most {} levels, not {}", most_levels, levels);
   Whole pieces = 1;
   for (int k = 0; k < levels; ++k) {
-    pieces *= static_cast<Whole>(maps);
-    expects(pieces <= most_pieces, "at most 2^22 pieces in the end, not {} levels of {} maps", levels, maps);
+    pieces *= std::ssize(maps);
+    expects(pieces <= most_pieces, "at most 2^22 pieces in the end, not {} levels of {} maps", levels,
+            maps.size());
   }
 }
 
@@ -207,20 +209,19 @@ double largest_stretch(const Pieces<T>& pieces) {
 template <std::floating_point T, Observer<Mapped<T>, LevelDone, Finished> O = Unobserved>
 Pieces<T> deterministic(Maps<T> maps, int levels, O&& observer = {}) {
   expect_maps(maps);
-  expect_levels(maps.size(), levels);
+  expect_levels(maps, levels);
   // The first shape, as it is
   Pieces<T> pieces{{}};
-  for (int n = 1; n <= levels; ++n) {
+  for (int n = 0; n < levels; ++n) {
     Pieces<T> next;
-    next.reserve(pieces.size() * maps.size());
-    for (const Map<T>& p : pieces) {
-      for (const Map<T>& f : maps) {
+    for (const auto& p : pieces) {
+      for (const auto& f : maps) {
         next.push_back(f(p));
-        if constexpr (observed<O>) observer(mapped(n, pieces, p, maps, f, next));
+        if constexpr (observed<O>) observer(mapped(n + 1, pieces, p, maps, f, next));
       }
     }
     swap(pieces, next);
-    if constexpr (observed<O>) observer(LevelDone{n, std::ssize(pieces), largest_stretch(pieces)});
+    if constexpr (observed<O>) observer(LevelDone{n + 1, std::ssize(pieces), largest_stretch(pieces)});
   }
   if constexpr (observed<O>) observer(Finished{std::ssize(pieces)});
   return pieces;
@@ -299,7 +300,7 @@ void chaos_game(Maps<T> maps, std::span<const double> shares, const Game<T>& gam
     Index i = chosen(shares, u);
     p = maps[i](p);
     if constexpr (observed<O>) observer(Moved<T>{k, i, p, k > game.skip});
-    // The first moves only lead there
+    // The first only lead there
     if (k > game.skip) plot(p);
   }
   if constexpr (observed<O>) observer(GameFinished{n});

@@ -54,25 +54,25 @@ inline void expect_ratios(std::span<const double> ratios, int halvings) {
 /// copies meet in borders at most, else no less than it.
 /// Source: P. A. P. Moran, Additive functions of intervals and Hausdorff measure, 1946.
 ///
-/// ratios: of the copies. halvings: how often.
+/// ratios: of the copies. rounds: how often.
 ///
-/// Domain: one ratio or more, 0 <= r < 1 each; 0 <= halvings <= 100.
+/// Domain: one ratio or more, 0 <= r < 1 each; 0 <= rounds <= 100.
 /// Steps: Widened*, Halved for each, Enclosed.
 /// Accuracy: within half of the last interval and what the roundings of the sum are worth; each halving adds
 ///   a bit.
 /// Cost: a power per ratio and halving.
 /// Errors: ContractViolation outside the domain.
 template <Observer<Widened, Halved, Enclosed> O = Unobserved>
-double similarity_dimension(std::span<const double> ratios, int halvings, O&& observer = {}) {
-  expect_ratios(ratios, halvings);
+double similarity_dimension(std::span<const double> ratios, int rounds, O&& observer = {}) {
+  expect_ratios(ratios, rounds);
   double low = 0, high = 1;
-  // Until the sum is 1 somewhere between
+  // Until the sum is 1 between
   while (sum_at(ratios, high) > 1) {
     low = high;
     high *= 2;
     if constexpr (observed<O>) observer(Widened{low, high});
   }
-  for (int k = 0; k < halvings; ++k) {
+  for (int k = 0; k < rounds; ++k) {
     double s = (low + high) / 2;
     double sum = sum_at(ratios, s);
     // A larger s makes it smaller

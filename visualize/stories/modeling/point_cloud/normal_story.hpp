@@ -214,10 +214,12 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
                 Stroke{at(last<Centred<double>>() ? middle() : subject_.own()), place, false, false, true}});
     }
     if (last<Centred<double>>()) view.add({"q m", Role::accepted, Dot{at(middle())}});
-    // Later its name would lie among the neighbours' dots
+    // Later their names would lie among the neighbours' dots
     if (now<Centred<double>>())
       view.add({"q m name", Role::accepted, Label{at(middle()), words_.say("mean")}});
-    view.add_named("r p", Role::current, at(subject_.own()), words_.say("own"));
+    view.add({"r p", Role::current, Dot{at(subject_.own())}});
+    if (!last<Fitted<double>>())
+      view.add({"r p name", Role::current, Label{at(subject_.own()), words_.say("own")}});
   }
   /// A square across the least variance, and in it the ellipse of twice the others' lengths.
   void add_plane(View& view) const {
@@ -301,7 +303,7 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
   /// All points in the light of their normals; beside it the right ones, or points without any.
   void add_pictures(View& view) const {
     const bool wrong = way_ != Way::right;
-    const Extent left{{0.1, 0.4}, {23.9, 24.2}}, right{{25.1, 9.4}, {39.9, 24.2}};
+    const Extent left{{0, 0.3}, {24, 24.3}}, right{{25.1, 9.4}, {40, 24.3}};
     add_picture(view, "a", left, words_.say(wrong ? "picture.wrong" : "picture"), whole_.normals, false);
     add_picture(view, "b", right, words_.say(wrong ? "picture.right" : "picture.plain"), right_, true);
     if (!wrong && is_known())
