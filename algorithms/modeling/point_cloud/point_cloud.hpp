@@ -158,6 +158,18 @@ struct Covariance {
 
   T trace() const { return matrix[0][0] + matrix[1][1] + matrix[2][2]; }
 };
+/// Among the smallest numbers a mean has few digits: the covariance is moved to where it would lie with more.
+/// off: how far the places lie off their centre in the mean, in the covariance's units.
+template <class T>
+void take_back(Covariance<T>& found, const Place<T>& off) {
+  const T rounding = std::scalbn(std::numeric_limits<T>::denorm_min(), -found.exponent);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(off[axis]) > rounding) return;
+  }
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) found.matrix[a][b] -= off[a] * off[b];
+  }
+}
 template <class T>
 Covariance<T> covariance(const std::vector<Place<T>>& places, const Place<T>& centre) {
   T largest(0);
@@ -168,14 +180,17 @@ Covariance<T> covariance(const std::vector<Place<T>>& places, const Place<T>& ce
   if (!(largest > 0)) return found;
   // Coordinates below 2, so that no square is lost
   found.exponent = std::ilogb(largest);
+  Place<T> sum(T(0));
   for (const Place<T>& p : places) {
     Place<T> x = p - centre;
     for (int axis = 0; axis < 3; ++axis) x[axis] = std::scalbn(x[axis], -found.exponent);
     for (int a = 0; a < 3; ++a) {
       for (int b = 0; b < 3; ++b) found.matrix[a][b] += x[a] * x[b];
     }
+    sum += x;
   }
   found.matrix /= static_cast<T>(places.size());
+  take_back(found, sum / static_cast<T>(places.size()));
   return found;
 }
 

@@ -198,6 +198,24 @@ TEST(PointCloud, NeitherSizeNorPlaceMatters) {
   }
 }
 
+// Their mean has no digits to spare: rounded, it lies beside the plane that they lie near.
+TEST(PointCloud, TheSmallestNumbersHaveTheNormalsOfLargeOnes) {
+  constexpr double smallest = std::numeric_limits<double>::denorm_min();
+  Random random(9);
+  for (int i = 0; i < 200; ++i) {
+    Points large(7);
+    for (dvec3& p : large)
+      p = dvec3(random.uniform_int(-900, 900), random.uniform_int(-900, 900), random.uniform_int(-4, 4));
+    Points small = large;
+    for (dvec3& p : small) p *= smallest;
+    const dvec3 eye{0.1, 0.2, 5000};
+    const Normal<double> from = normal_in(large, 0, 7, eye), found = normal_in(small, 0, 7, eye);
+    ASSERT_EQ(from.shape, Shape::surface);
+    ASSERT_EQ(found.shape, Shape::surface);
+    EXPECT_LE(degrees(from.way, found.way), 1e-9) << i;
+  }
+}
+
 TEST(PointCloud, DepthsGoThereAndBack) {
   std::int64_t pixels = 0;
   const auto there_and_back = [&]<class T>(T, ivec2 size, glm::vec<2, T> centre, T focal, T z) {
