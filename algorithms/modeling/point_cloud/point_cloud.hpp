@@ -407,6 +407,13 @@ std::vector<Place<T>> back_project(const Raster<T>& depth, const Pinhole<T>& cam
   return cloud;
 }
 
+/// The pixel that holds a place of the picture; one beside it for places that are far away from it.
+template <class T>
+ivec2 pixel_of(const Place<T>& p) {
+  constexpr T far = T(1 << 30);
+  return {std::floor(std::clamp(p.x, -far, far)), std::floor(std::clamp(p.y, -far, far))};
+}
+
 /// The pixel in which a point is seen.
 /// Domain: the camera, and the point's depth, as for back_project; a point that no picture of 2^30 columns
 ///   and rows shows gets one of its last ones.
@@ -414,21 +421,13 @@ template <std::floating_point T>
 ivec2 project(const Pinhole<T>& camera, const Place<T>& p) {
   expect_camera(camera);
   expect_depth(p.z);
-  constexpr T far = T(1 << 30);
   const T column = camera.centre.x + camera.focal * p.x / p.z,
           row = camera.centre.y - camera.focal * p.y / p.z;
   expects(all_finite(column, row), "a point expected that lies near enough to be seen");
-  return {std::floor(std::clamp(column, -far, far)), std::floor(std::clamp(row, -far, far))};
+  return pixel_of(Place<T>{column, row, p.z});
 }
 
 // --- Drawing -----------------------------------------------------
-
-/// The pixel that holds a place of the picture; one beside it for places that are far away from it.
-template <class T>
-ivec2 pixel_of(const Place<T>& p) {
-  constexpr T far = T(1 << 30);
-  return {std::floor(std::clamp(p.x, -far, far)), std::floor(std::clamp(p.y, -far, far))};
-}
 
 /// So many columns and rows a picture may have, and a dot.
 inline constexpr int most_side = 1 << 20;
@@ -443,7 +442,6 @@ inline Raster<Index> blank(ivec2 size) { return {size.x, size.y, none}; }
 /// The pixels of a dot that a picture has, row by row.
 struct DotPixels {
   Window window;
-
   struct Walk {
     const Window& window;
     ivec2 at;
