@@ -8,20 +8,13 @@
 #include "stories/modeling/fractal_curve/koch_story.hpp"
 #include "stories/modeling/fractal_curve/text_story.hpp"
 #include "stories/parameters.hpp"
+#include "stories/some_steps.hpp"
 
 namespace gradus::fractal_curve {
 namespace {
 
 constexpr Extent whole_paper{{2, 1.5}, {34, 25.5}}, above_chart{{2, 16}, {34, 26}},
     beside_chart{{1, 2}, {20.5, 25}};
-
-/// Hands on what a story tells and leaves out the rest.
-template <class Watch, class Tells>
-auto some(const Watch& watch, const Tells& tells) {
-  return [&]<class Step>(const Step& step, int line = __builtin_LINE(), const char* file = __builtin_FILE()) {
-    if (tells(step)) watch(step, line, file);
-  };
-}
 
 // --- Koch's curve
 
@@ -57,9 +50,9 @@ void tell_koch(Narrator& narrator) {
   };
   Corners way;
   if constexpr (inward)
-    way = inside(base_of(subject.shape), subject.level, some(watch, tells));
+    way = inside(base_of(subject.shape), subject.level, some_steps(watch, tells));
   else
-    way = koch(base_of(subject.shape), subject.level, some(watch, tells));
+    way = koch(base_of(subject.shape), subject.level, some_steps(watch, tells));
   const auto share = [&](std::int64_t above, int below) {
     return static_cast<double>(above) / static_cast<double>(power(below, subject.level));
   };
@@ -111,9 +104,9 @@ void tell_rewrite(Narrator& narrator) {
   const std::string axiom(subject.system.axiom);
   std::string text;
   if constexpr (in_turn)
-    text = rule_after_rule(axiom, subject.system.rules, subject.level, some(watch, tells));
+    text = rule_after_rule(axiom, subject.system.rules, subject.level, some_steps(watch, tells));
   else
-    text = rewrite(axiom, subject.system.rules, subject.level, some(watch, tells));
+    text = rewrite(axiom, subject.system.rules, subject.level, some_steps(watch, tells));
   narrator.result({{"symbols", std::ssize(text)}, {"steps", story.steps(subject.level)}});
 }
 
@@ -133,7 +126,7 @@ void tell_turtle(Narrator& narrator) {
     if constexpr (std::same_as<Step, SymbolRead<dvec2>>) return step.at < TurtleStory::most_told;
     return true;
   };
-  turtle<dvec2>(story.text(), subject.way(), [](dvec2, dvec2) {}, some(watch, tells));
+  turtle<dvec2>(story.text(), subject.way(), [](dvec2, dvec2) {}, some_steps(watch, tells));
   narrator.result({{"symbols", std::ssize(story.text())}, {"steps", story.steps()}});
 }
 

@@ -8,19 +8,12 @@
 #include "stories/modeling/iterated_functions/game_story.hpp"
 #include "stories/modeling/iterated_functions/pieces_story.hpp"
 #include "stories/parameters.hpp"
+#include "stories/some_steps.hpp"
 
 namespace gradus::iterated_functions {
 namespace {
 
 constexpr Extent whole_paper{{1.5, 1.5}, {34.5, 25.5}};
-
-/// Hands on what a story tells and leaves out the rest.
-template <class Watch, class Tells>
-auto some(const Watch& watch, const Tells& tells) {
-  return [&]<class Step>(const Step& step, int line = __builtin_LINE(), const char* file = __builtin_FILE()) {
-    if (tells(step)) watch(step, line, file);
-  };
-}
 
 void set_up(Narrator& narrator, const Subject& subject) {
   narrator.paper(paper_width, paper_height);
@@ -54,7 +47,7 @@ void tell_pieces(Narrator& narrator) {
     if constexpr (std::same_as<Step, Mapped<double>>) return levels.tells(step.level);
     return true;
   };
-  const DPieces pieces = deterministic(subject.all(), levels.last, some(watch, tells));
+  const DPieces pieces = deterministic(subject.all(), levels.last, some_steps(watch, tells));
   narrator.result({{"pieces", std::ssize(pieces)}, {"within", largest_stretch(pieces) * levels.reach}});
 }
 
@@ -104,7 +97,7 @@ void tell_game(Narrator& narrator) {
     }
     return true;
   };
-  play(how, subject, game, [&](dvec2 p) { story.plot(p); }, some(watch, tells));
+  play(how, subject, game, [&](dvec2 p) { story.plot(p); }, some_steps(watch, tells));
   narrator.result({{"pixels", story.reached()}, {"skipped", game.skip}});
 }
 
