@@ -210,15 +210,6 @@ Shape shape_of(const std::array<T, 3>& variance, std::size_t k) {
   return variance[1] - variance[0] > least ? Shape::surface : Shape::alike;
 }
 
-/// The directions across each other in which a covariance has no mixed products, and the variances along
-/// them, the least first.
-template <class T>
-struct Axes {
-  std::array<T, 3> variance;
-  std::array<Place<T>, 3> ways;
-  Shape shape;
-};
-
 /// Turns two axes in their plane so that the matrix' entry of both becomes 0. ways: the axes so far.
 template <class T>
 void turn(glm::mat<3, 3, T>& matrix, glm::mat<3, 3, T>& ways, int p, int q) {
@@ -241,7 +232,7 @@ void turn(glm::mat<3, 3, T>& matrix, glm::mat<3, 3, T>& ways, int p, int q) {
 /// whole. Each takes away a third of what is left, or more, so that they come to an end.
 /// Source: C. G. J. Jacobi, 1846; G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., section 8.5.
 template <class T>
-Axes<T> axes(const Covariance<T>& covariance) {
+Fitted<T> axes(const Covariance<T>& covariance) {
   glm::mat<3, 3, T> matrix = covariance.matrix, ways(T(1));
   const T negligible = std::numeric_limits<T>::epsilon() / 2 * covariance.trace();
   constexpr std::array<std::pair<int, int>, 3> pairs{{{0, 1}, {1, 2}, {0, 2}}};
@@ -257,7 +248,7 @@ Axes<T> axes(const Covariance<T>& covariance) {
   // A variance below 0 is 0 but for roundings
   for (int i = 0; i < 3; ++i) order[static_cast<std::size_t>(i)] = {std::max(matrix[i][i], T(0)), i};
   std::ranges::sort(order);
-  Axes<T> found;
+  Fitted<T> found;
   for (std::size_t i = 0; i < 3; ++i) {
     found.variance[i] = order[i].first;
     found.ways[i] = ways[order[i].second];
@@ -271,12 +262,12 @@ Axes<T> axes(const Covariance<T>& covariance) {
 
 /// Whether there is one direction in which neighbours spread least: the others span a surface.
 template <class T>
-bool flat(const Axes<T>& found) {
+bool flat(const Fitted<T>& found) {
   return found.shape == Shape::surface;
 }
 /// What is left of neighbours that look like no surface.
 template <class T>
-Normal<T> no_normal(const Axes<T>& found) {
+Normal<T> no_normal(const Fitted<T>& found) {
   return {found.shape, Place<T>(T(0)), found.variance};
 }
 
@@ -316,7 +307,7 @@ Normal<T> normal(const Tree<T>& tree, Index i, std::size_t k, const Place<T>& ey
   auto m = mean(D);
   if constexpr (observed<O>) observer(Centred<T>{m});
   auto a = axes(covariance(D, m));
-  if constexpr (observed<O>) observer(Fitted<T>{a.variance, a.ways, a.shape});
+  if constexpr (observed<O>) observer(a);
   if (!flat(a)) return no_normal(a);
   auto n = a.ways[0];
   bool away = dot(n, eye - p) < 0;

@@ -253,10 +253,10 @@ class NormalStory : public Past<steps::Started, Gathered<double>, Centred<double
 
   /// The neighbours as they are seen along the plane: what is least is upright.
   void add_side(View& view) const {
-    view.add({"u heading", Role::guide,
-              Text{{side.centre().x, side.upper.y + 1.3}, words_.say("side"), Align::centre, true}});
     const auto* f = last<Fitted<double>>();
     if (!f || f->variance[2] == 0) return;
+    view.add({"u heading", Role::guide,
+              Text{{side.centre().x, side.upper.y + 1.3}, words_.say("side"), Align::centre, true}});
     const auto* t = last<Turned<double>>();
     const dvec3 up = t ? t->normal : f->ways[0], along = f->ways[2];
     const auto seen = [&](dvec3 p) {
